@@ -1,0 +1,23 @@
+// One function per verb: it adds the verb's flags to the program and, when the verb was given, does its work.
+#pragma once
+
+#include "core/base/result.h"
+
+#include <CLI/App.hpp>
+
+namespace reflectance::cli {
+
+/// Exit codes that scripts rely on.
+enum ExitCode { Done = 0, DoesNotHold = 1, BadInput = 2 };
+
+/// Prints "reflectance: FILE:LINE: sentence" on stderr and returns BadInput.
+int refused(const Error& error);
+
+/// Each verb stores its result in `exitCode`.
+void addRender(CLI::App& program, int& exitCode);
+void addEval(CLI::App& program, int& exitCode);
+void addModels(CLI::App& program, int& exitCode);
+void addInspect(CLI::App& program, int& exitCode);
+void addCompare(CLI::App& program, int& exitCode);
+
+} // namespace reflectance::cli

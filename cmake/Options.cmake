@@ -1,0 +1,38 @@
+# Flags that every target shares, carried by reflectance_options.
+option(REFLECTANCE_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
+option(REFLECTANCE_SANITIZE "Build with the address and undefined behaviour sanitizers" OFF)
+option(REFLECTANCE_COVERAGE "Build for coverage reports" OFF)
+option(REFLECTANCE_BENCHMARKS "Build the benchmarks (Google Benchmark)" OFF)
+
+add_library(reflectance_options INTERFACE)
+target_include_directories(reflectance_options INTERFACE "${PROJECT_SOURCE_DIR}")
+target_compile_options(reflectance_options INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -Wconversion -Wpedantic>
+  # GCC 12 warns of overlapping copies in "text" + std::string() that do not exist (GCC bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # IEEE values stay as they are (never -ffast-math); these two only let loops with selects vectorise.
+  $<$<COMPILE_LANGUAGE:CXX>:-fno-math-errno -fno-trapping-math -ffp-contract=off>)
+if(REFLECTANCE_WARNINGS_AS_ERRORS)
+  target_compile_options(reflectance_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+endif()
+if(REFLECTANCE_SANITIZE)
+  target_compile_options(reflectance_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(reflectance_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(REFLECTANCE_COVERAGE)
+  target_compile_options(reflectance_options INTERFACE --coverage)
+  target_link_options(reflectance_options INTERFACE --coverage)
+endif()
+
+# room(NAME SOURCES ... LINKS ...): one room of core is one library; what it may include is what it links.
+function(room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  if(ROOM_SOURCES)
+    add_library(reflectance_${name} STATIC ${ROOM_SOURCES})
+    target_link_libraries(reflectance_${name} PUBLIC reflectance_options ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
+    set_target_properties(reflectance_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  else()
+    add_library(reflectance_${name} INTERFACE)
+    target_link_libraries(reflectance_${name} INTERFACE reflectance_options ${ROOM_LINKS})
+  endif()
+endfunction()

@@ -1,0 +1,132 @@
+#include "core/reflectance/catalogue.h"
+
+#include "core/base/embedded.h"
+#include "core/base/text.h"
+#include "core/reflectance/kernel_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace reflectance {
+namespace {
+
+std::vector<Model> readCatalogue()
+{
+    std::vector<ModelText> texts;
+    std::vector<Model> models;
+    for (const std::string_view line : split(embeddedText("reflectance/models.txt"), '\n')) {
+        if (line.empty() || line.front() == '#')
+            continue;
+        auto text = parseModelText(line, embeddedText("reflectance/" + std::string(line) + ".glsl"), texts);
+        if (!text) { // cannot happen: the build step has parsed the same text
+            std::cerr << text.error().sentence() << '\n';
+            std::abort();
+        }
+        const std::size_t i = models.size();
+        texts.push_back(*text);
+        models.push_back({*std::move(text), doubleKernels()[i], floatKernels()[i], lanesKernels()[i]});
+    }
+    return models;
+}
+
+std::string rangeOf(const Parameter& p)
+{
+    return shortest(p.legalMin) + " .. " + shortest(p.legalMax);
+}
+
+std::string countsAllowed(ParameterKind kind)
+{
+    return kind == ParameterKind::Number ? "1 number" : kind == ParameterKind::Color ? "1 or 3 numbers" : "1, 3 or 9 numbers";
+}
+
+/// One number for a colour is grey; one or three numbers for a matrix are its diagonal.
+std::vector<double> spread(const Parameter& parameter, std::span<const double> numbers)
+{
+    const std::size_t size = sizeOf(parameter.kind);
+    if (numbers.size() == size)
+        return {numbers.begin(), numbers.end()};
+    if (parameter.kind == ParameterKind::Color)
+        return std::vector<double>(3, numbers[0]);
+    std::vector<double> matrix(9, 0.0);
+    for (std::size_t i = 0; i < 3; ++i)
+        matrix[4 * i] = numbers[numbers.size() == 3 ? i : 0];
+    return matrix;
+}
+
+} // namespace
+
+const std::vector<Model>& catalogue()
+{
+    static const std::vector<Model> models = readCatalogue();
+    return models;
+}
+
+Result<const Model*> findModel(std::string_view id)
+{
+    std::vector<std::string> ids;
+    for (const Model& model : catalogue()) {
+        if (model.id() == id)
+            return &model;
+        ids.push_back(model.id());
+    }
+    return Error{"unknown model '" + std::string(id) + "'; did you mean '" + nearestName(id, ids) + "'? Models: " + joined(ids)};
+}
+
+std::vector<double> flatValues(const ModelText& model, const ParameterValues& values)
+{
+    std::vector<double> flat;
+    flat.reserve(model.valueCount());
+    for (const Parameter& parameter : model.parameters) {
+        const auto found = values.find(parameter.name);
+        const bool fits = found != values.end() && found->second.size() == parameter.initial.size();
+        const std::vector<double>& numbers = fits ? found->second : parameter.initial;
+        flat.insert(flat.end(), numbers.begin(), numbers.end());
+    }
+    return flat;
+}
+
+Result<std::vector<double>> checkedValue(const Parameter& parameter, std::span<const double> numbers)
+{
+    const bool diagonal = parameter.kind == ParameterKind::Matrix && numbers.size() == 3;
+    if (numbers.size() != 1 && numbers.size() != sizeOf(parameter.kind) && !diagonal)
+        return Error{"parameter " + parameter.name + " takes " + countsAllowed(parameter.kind) + ", not " +
+                     std::to_string(numbers.size())};
+    for (const double number : numbers)
+        if (!std::isfinite(number) || number < parameter.legalMin || number > parameter.legalMax)
+            return Error{"parameter " + parameter.name + " = " + shortest(number) + " is out of range; give a value in " +
+                         rangeOf(parameter)};
+    return spread(parameter, numbers);
+}
+
+Result<void> setParameter(const ModelText& model, std::string_view assignment, ParameterValues& values)
+{
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos)
+        return Error{"'" + std::string(assignment) + "' is no assignment; write NAME=VALUE"};
+    const std::string_view name = trimmed(assignment.substr(0, equals));
+    const Parameter* parameter = model.find(name);
+    if (!parameter) {
+        std::vector<std::string> names;
+        for (const Parameter& p : model.parameters)
+            names.push_back(p.name);
+        return Error{"model " + model.id + " has no parameter '" + std::string(name) + "'; did you mean '" +
+                     nearestName(name, names) + "'? Parameters: " + joined(names)};
+    }
+    std::string list(assignment.substr(equals + 1));
+    std::replace(list.begin(), list.end(), ',', ' ');
+    std::vector<double> numbers;
+    for (const std::string_view word : words(list)) {
+        const auto number = parseNumber(word);
+        if (!number)
+            return Error{"parameter " + parameter->name + ": '" + std::string(word) + "' is not a number"};
+        numbers.push_back(*number);
+    }
+    auto checked = checkedValue(*parameter, numbers);
+    if (!checked)
+        return checked.error();
+    values[parameter->name] = *std::move(checked);
+    return {};
+}
+
+} // namespace reflectance

@@ -1,0 +1,42 @@
+// The catalogue of reflectance models: a Model is its text and its kernels.
+#pragma once
+
+#include "core/reflectance/kernel.h"
+#include "core/reflectance/model_text.h"
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace reflectance {
+
+struct Model {
+    ModelText text;
+    Kernel<double> exact;  ///< double: the truth
+    Kernel<float> single;  ///< scalar float
+    Kernel<float> lanes;   ///< float in the widest lanes of this processor
+
+    [[nodiscard]] const std::string& id() const { return text.id; }
+};
+
+/// All models, in the order of the menus.
+[[nodiscard]] const std::vector<Model>& catalogue();
+
+/// The model with this id, or a sentence that names the nearest one.
+[[nodiscard]] Result<const Model*> findModel(std::string_view id);
+
+/// Parameter values by name. They outlive a change of model: names that two models share keep their value.
+using ParameterValues = std::map<std::string, std::vector<double>, std::less<>>;
+
+/// The model's flat list of values: from `values` where named there, else the defaults.
+[[nodiscard]] std::vector<double> flatValues(const ModelText& model, const ParameterValues& values);
+
+/// Checks count and legal range and spreads one number over a colour, one over the diagonal of a matrix, three over its
+/// diagonal. The error names the parameter, the value and the range.
+[[nodiscard]] Result<std::vector<double>> checkedValue(const Parameter& parameter, std::span<const double> numbers);
+
+/// Sets "name=1 2 3" (blanks or commas between numbers) for a model; the error names the nearest parameter.
+[[nodiscard]] Result<void> setParameter(const ModelText& model, std::string_view assignment, ParameterValues& values);
+
+} // namespace reflectance

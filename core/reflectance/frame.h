@@ -1,0 +1,31 @@
+// What surrounds a model text on the C++ side: the quantities that belong to the light or the scene, not to the surface.
+#pragma once
+
+#include "core/math/lobe.h"
+#include "core/reflectance/kernel.h"
+
+#include <algorithm>
+
+namespace reflectance {
+
+// GLSL's min and max for the scalar types; lanes bring their own.
+[[nodiscard]] inline double max(double a, double b) { return std::max(a, b); }
+[[nodiscard]] inline float max(float a, float b) { return std::max(a, b); }
+[[nodiscard]] inline double min(double a, double b) { return std::min(a, b); }
+[[nodiscard]] inline float min(float a, float b) { return std::min(a, b); }
+
+template <class T> struct Frame {
+    T lightDisc{};                  ///< (2 sin(a/2))^2 for the light's angular radius a; 0 for a light without extent
+    Surroundings<T> surroundings{}; ///< what a mirror sees
+
+    /// 1 where V lies inside the light's disc about R, else 0. The disc is open: radius 0 contains nothing.
+    [[nodiscard]] T insideLight(const Vec3<T>& R, const Vec3<T>& V) const
+    {
+        const Vec3<T> chord = R - V;
+        return gate(lightDisc - dot(chord, chord), lit<T>(1.0));
+    }
+
+    [[nodiscard]] Vec3<T> environment(const Vec3<T>& direction) const { return surroundings(direction); }
+};
+
+} // namespace reflectance

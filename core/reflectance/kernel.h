@@ -1,0 +1,52 @@
+// A kernel evaluates one model over many directions: structure of arrays in, radiance added to arrays out.
+#pragma once
+
+#include "core/math/vec.h"
+
+#include <cstddef>
+#include <type_traits>
+
+namespace reflectance {
+
+/// Three arrays, one per component.
+template <class T> struct Vec3Array {
+    T* x = nullptr;
+    T* y = nullptr;
+    T* z = nullptr;
+
+    [[nodiscard]] Vec3<std::remove_const_t<T>> operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+/// Unit vectors N, L, V, light I as it arrives at the surface, and the light's disc (see Frame::lightDisc).
+template <class T> struct ShadeBatch {
+    std::size_t count = 0;
+    Vec3Array<const T> N, L, V, I;
+    const T* lightDisc = nullptr;
+    Vec3Array<T> sum; ///< the model's value is added here
+};
+
+/// The environment as a function of the direction away from the surface; without a function it is black.
+template <class T> struct Surroundings {
+    Vec3<T> (*radiance)(const void* environment, const Vec3<T>& direction) = nullptr;
+    const void* environment = nullptr;
+
+    Vec3<T> operator()(const Vec3<T>& direction) const
+    {
+        return radiance ? radiance(environment, direction) : Vec3<T>();
+    }
+};
+
+template <class T> struct EnvironmentBatch {
+    std::size_t count = 0;
+    Vec3Array<const T> N, V;
+    Surroundings<T> surroundings;
+    Vec3Array<T> sum;
+};
+
+/// `values` is the model's flat list of parameter values, always double; the kernel rounds them once to its type.
+template <class T> struct Kernel {
+    void (*shade)(const double* values, const ShadeBatch<T>& batch) = nullptr;
+    void (*environment)(const double* values, const EnvironmentBatch<T>& batch) = nullptr; ///< null: ignores it
+};
+
+} // namespace reflectance

@@ -1,0 +1,18 @@
+// The models in SIMD lanes for processors with SSE2 (every x86-64).
+#include "core/reflectance/kernel_lanes.h"
+
+#include "core/reflectance/kernel_tables.h"
+#include "models.gen.h"
+
+namespace reflectance {
+
+const Kernel<float>* lanesKernelsSse2()
+{
+    using Lanes = xsimd::batch<float, xsimd::sse2>;
+#define KERNEL(model) lanesKernel<models::model, Lanes>(),
+    static constexpr Kernel<float> kernels[] = {REFLECTANCE_FOR_EACH_MODEL(KERNEL)};
+#undef KERNEL
+    return kernels;
+}
+
+} // namespace reflectance

@@ -1,0 +1,42 @@
+// Reads a reflectance model's text: what its comment lines declare, and its parameters.
+// The same parser serves the build step (which makes C++ of the text) and the running program.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/reflectance/parameter.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reflectance {
+
+/// A property that a model declares to hold or not, with the reason in words: "no: the factor lacks the cosine".
+struct DeclaredProperty {
+    bool holds = false;
+    std::string reason;
+};
+
+/// Everything that stands in shaders/reflectance/<id>.glsl.
+struct ModelText {
+    std::string id;       ///< file name without ending
+    std::string name;     ///< for menus
+    std::string formula;  ///< in the lecture's letters
+    std::string citation; ///< author, title, year
+    std::string about;    ///< one paragraph for people
+    DeclaredProperty reciprocal;
+    DeclaredProperty passive;
+    std::vector<Parameter> parameters;
+    bool usesEnvironment = false; ///< defines shadeEnvironment(N, V)
+    bool usesLightSize = false;   ///< calls insideLight(R, V)
+    std::string code;             ///< the GLSL text without uniform declarations, line numbers kept
+
+    [[nodiscard]] const Parameter* find(std::string_view parameterName) const;
+    [[nodiscard]] std::size_t valueCount() const; ///< numbers in the flat list of values
+};
+
+/// Parses one text. `earlier` resolves "//: like ID", which takes a parameter's description over from another model.
+[[nodiscard]] Result<ModelText> parseModelText(std::string_view id, std::string_view text,
+                                               const std::vector<ModelText>& earlier);
+
+} // namespace reflectance

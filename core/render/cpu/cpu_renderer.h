@@ -1,0 +1,40 @@
+// The CPU renderer, three functions from values to values: a mesh to a ray scene (Embree), a camera to surface samples,
+// samples to a picture. In double it is the truth of this program.
+#pragma once
+
+#include "core/image/image.h"
+#include "core/reflectance/observation.h"
+#include "core/reflectance/precision.h"
+#include "core/render/settings.h"
+#include "core/render/view_samples.h"
+#include "core/scene/scene.h"
+
+#include <atomic>
+#include <memory>
+#include <span>
+
+namespace reflectance {
+
+/// What Embree keeps for a mesh. It only says which triangle a ray meets; position, barycentrics and normal are
+/// recomputed in double from the mesh (Embree's float u and v cost 1e-4 in the normal).
+class RayScene;
+[[nodiscard]] std::shared_ptr<const RayScene> makeRayScene(std::shared_ptr<const Mesh> mesh);
+
+/// Lets another thread watch long work and stop it.
+struct Progress {
+    std::atomic<double> done{0.0}; ///< 0 .. 1
+    std::atomic<bool> cancel{false};
+};
+
+[[nodiscard]] ViewSamples sampleView(const RayScene& rays, const Camera& camera, const RenderSettings& settings,
+                                     Progress* progress = nullptr);
+
+/// Shades the samples in double, float or SIMD (not Glsl); pixels without a sample show the background.
+[[nodiscard]] Image shadeSamples(const ViewSamples& samples, const Scene& scene, Precision precision,
+                                 Progress* progress = nullptr);
+
+/// All three.
+[[nodiscard]] Image renderOnCpu(const Scene& scene, const RenderSettings& settings, Precision precision,
+                                Progress* progress = nullptr);
+
+} // namespace reflectance

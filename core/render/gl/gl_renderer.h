@@ -1,0 +1,54 @@
+// The GL renderer: visibility once into a float G-buffer, then a full-screen shading pass, then the sensor pass.
+// It is handed a symbol loader and draws in whatever context is current: GLFW's, OSMesa's or EGL's.
+#pragma once
+
+#include "core/image/image.h"
+#include "core/reflectance/observation.h"
+#include "core/render/headless/headless_context.h"
+#include "core/render/settings.h"
+#include "core/render/view_samples.h"
+#include "core/scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace reflectance {
+
+/// How often each kind of work was done since the renderer was made: a parameter drag must only raise `shadings`.
+struct GlWork {
+    std::uint64_t meshUploads = 0, visibilities = 0, shadings = 0, developments = 0, programLinks = 0, allocations = 0;
+};
+
+class GlRenderer {
+public:
+    /// The context must be current now and at every later call, the destructor included.
+    [[nodiscard]] static Result<GlRenderer> create(GetProcAddress load);
+    GlRenderer(GlRenderer&&) noexcept;
+    GlRenderer& operator=(GlRenderer&&) noexcept;
+    ~GlRenderer();
+
+    /// Brings the picture up to date; only the passes whose inputs changed run.
+    [[nodiscard]] Result<void> render(const Scene& scene, const RenderSettings& settings);
+
+    [[nodiscard]] unsigned developedTexture() const; ///< RGBA8, sRGB-encoded, row 0 at the bottom: for the window
+    [[nodiscard]] Image readLinear();                ///< the linear picture before the sensor
+    [[nodiscard]] ViewSamples readSamples();         ///< the N and P that GL used, for GL = CPU
+    void finish();                                   ///< waits until all drawing is done (for timing)
+
+    /// The model at given directions, in GLSL; same rows as reflectance::evaluate.
+    [[nodiscard]] Result<std::vector<Vec3d>> evaluate(const Model& model, std::span<const double> values,
+                                                      std::span<const Observation> rows);
+
+    [[nodiscard]] const GlWork& work() const;
+    [[nodiscard]] std::string description() const; ///< GL_RENDERER and GL_VERSION
+
+private:
+    struct State;
+    explicit GlRenderer(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace reflectance

@@ -1,0 +1,20 @@
+// How large and how finely a picture is rendered: nothing here changes what it shows.
+#pragma once
+
+#include "core/base/result.h"
+
+namespace reflectance {
+
+/// Samples lie on a regular grid inside each pixel, at ((i+1/2)/k, (j+1/2)/k): the same places in both renderers.
+struct RenderSettings {
+    int width = 1024;
+    int height = 1024;
+    int samplesPerAxis = 2; ///< k: k^2 samples per pixel, 1 .. 8
+
+    friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
+};
+
+/// Refuses sizes outside 1 .. 16384.
+[[nodiscard]] Result<RenderSettings> checkedSettings(int width, int height, int samples);
+
+} // namespace reflectance

@@ -1,0 +1,33 @@
+// What a scene requires of a renderer, and what it does not: model only what the scene requires.
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace reflectance {
+
+/// Two scenes with equal requirements run the same shader.
+struct Requirements {
+    std::string model;
+    bool directionalLights = false;
+    bool pointLights = false;
+    bool environment = false;      ///< the model looks at it and it is not black
+    bool environmentMap = false;   ///< the environment (seen by the model or as background) is a picture
+    bool environmentBackground = false;
+
+    friend bool operator==(const Requirements&, const Requirements&) = default;
+    friend auto operator<=>(const Requirements&, const Requirements&) = default;
+
+    /// Unique text for caches: "hybrid+directional".
+    [[nodiscard]] std::string key() const;
+};
+
+[[nodiscard]] Requirements requirementsOf(const Scene& scene);
+
+/// Sentences on what the picture leaves out and why: "environment: hybrid ignores it", "light 'key' has no extent, so
+/// a mirror shows nothing of it".
+[[nodiscard]] std::vector<std::string> leftOut(const Scene& scene);
+
+} // namespace reflectance

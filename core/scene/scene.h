@@ -1,0 +1,61 @@
+// Everything a picture depends on, as one value: copy it, compare it, save it.
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/geometry/mesh.h"
+#include "core/illumination/environment.h"
+#include "core/illumination/light.h"
+#include "core/reflectance/catalogue.h"
+#include "core/sensor/sensor.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace reflectance {
+
+/// The reflectance model in use. Values stay when the model changes, so that two models share what they both know.
+struct Surface {
+    std::string model = "hybrid"; ///< id in the catalogue
+    ParameterValues values;
+
+    friend bool operator==(const Surface&, const Surface&) = default;
+};
+
+enum class BackgroundKind { Plain, Environment };
+
+/// What is seen beside the object.
+struct Background {
+    BackgroundKind kind = BackgroundKind::Plain;
+    Vec3d color{0.028, 0.030, 0.034}; ///< linear radiance
+
+    friend bool operator==(const Background&, const Background&) = default;
+};
+
+struct Scene {
+    std::string meshFile; ///< where the mesh came from; "mug" and the like name an embedded one
+    std::shared_ptr<const Mesh> mesh;
+    Camera camera;
+    std::vector<Light> lights;
+    Environment environment;
+    Background background;
+    Surface surface;
+    Sensor sensor;
+};
+
+/// The clay mug under two lights, as the explorer opens it. The mesh is embedded in the program.
+[[nodiscard]] Scene defaultScene();
+
+/// The scene's model; its id has been checked when it was set.
+[[nodiscard]] const Model& modelOf(const Scene& scene);
+
+/// The flat parameter values of the scene's model.
+[[nodiscard]] std::vector<double> valuesOf(const Scene& scene);
+
+/// The lights that are on.
+[[nodiscard]] std::vector<Light> shiningLights(const Scene& scene);
+
+/// A stock mesh of the program by name ("mug"), or any mesh file by path.
+[[nodiscard]] Result<std::shared_ptr<const Mesh>> openMesh(const std::string& nameOrPath);
+
+} // namespace reflectance
