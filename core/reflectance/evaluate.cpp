@@ -1,0 +1,89 @@
+#include "core/reflectance/evaluate.h"
+
+#include "core/base/check.h"
+#include "core/math/angle.h"
+#include "core/reflectance/shade_block.h"
+
+namespace reflectance {
+namespace {
+
+/// Collects (row, light) pairs until a block is full, evaluates them in T and adds them to their rows in T.
+template <class T> class PairEvaluator {
+public:
+    PairEvaluator(const Kernel<T>& kernel, std::span<const double> values, std::size_t rows)
+        : kernel_(kernel), values_(values), totals_(rows)
+    {
+    }
+
+    void add(std::size_t row, const Vec3d& N, const Vec3d& V, const Vec3d& L, const ObservedLight& light)
+    {
+        block_.N.set(count_, N);
+        block_.V.set(count_, V);
+        block_.L.set(count_, L);
+        block_.I.set(count_, light.I);
+        block_.lightDisc[count_] = static_cast<T>(squaredChord(light.radius));
+        rows_[count_] = row;
+        if (++count_ == blockSize)
+            flush();
+    }
+
+    [[nodiscard]] std::vector<Vec3d> totals()
+    {
+        flush();
+        std::vector<Vec3d> result;
+        result.reserve(totals_.size());
+        for (const Vec3<T>& total : totals_)
+            result.emplace_back(total);
+        return result;
+    }
+
+private:
+    void flush()
+    {
+        block_.sum.fill({});
+        kernel_.shade(values_.data(), block_.batch(count_));
+        for (std::size_t i = 0; i < count_; ++i)
+            totals_[rows_[i]] += block_.sum[i];
+        count_ = 0;
+    }
+
+    const Kernel<T>& kernel_;
+    std::span<const double> values_;
+    std::vector<Vec3<T>> totals_;
+    ShadeBlock<T> block_;
+    std::array<std::size_t, blockSize> rows_{};
+    std::size_t count_ = 0;
+};
+
+template <class T>
+std::vector<Vec3d> evaluateWith(const Kernel<T>& kernel, std::span<const double> values,
+                                std::span<const Observation> rows)
+{
+    PairEvaluator<T> evaluator(kernel, values, rows.size());
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const Vec3d N = normalized(rows[row].N);
+        const Vec3d V = normalized(rows[row].V);
+        if (N == Vec3d() || V == Vec3d())
+            continue;
+        for (const ObservedLight& light : rows[row].lights) {
+            const Vec3d L = normalized(light.L);
+            if (L != Vec3d())
+                evaluator.add(row, N, V, L, light);
+        }
+    }
+    return evaluator.totals();
+}
+
+} // namespace
+
+std::vector<Vec3d> evaluate(const Model& model, std::span<const double> values, std::span<const Observation> rows,
+                            Precision precision)
+{
+    CHECK_EQ(values.size(), model.text.valueCount());
+    CHECK_LT(static_cast<int>(precision), static_cast<int>(Precision::Glsl));
+    if (precision == Precision::Double)
+        return evaluateWith(model.exact, values, rows);
+    return evaluateWith(precision == Precision::Float ? model.single : model.lanes, values, rows);
+}
+
+} // namespace reflectance
