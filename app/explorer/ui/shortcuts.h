@@ -1,0 +1,43 @@
+// Every gesture and key of the explorer, in the order of the help page. The help overlay and the tooltips print it; the
+// window binds the keys.
+#pragma once
+
+#include <span>
+
+namespace reflectance::explorer {
+
+struct Shortcut {
+    const char* group;   ///< "View", "Lights", "Values", "Program"
+    const char* gesture; ///< "Ctrl+Shift+drag"
+    const char* effect;  ///< one short sentence
+};
+
+inline constexpr Shortcut shortcutTable[] = {
+    {"View", "drag", "orbit about the object"},
+    {"View", "middle drag, or Shift+drag", "pan"},
+    {"View", "wheel, or right drag", "zoom"},
+    {"View", "F", "frame the object"},
+    {"View", "T", "turntable on or off"},
+    {"Lights", "drag a handle", "move that light over the sphere of directions"},
+    {"Lights", "click a handle", "select that light"},
+    {"Lights", "Ctrl+Shift+drag", "turn the selected light, anywhere in the view"},
+    {"Lights", "Ctrl+Shift+right drag", "change the distance of a point light"},
+    {"Lights", "H", "show or hide the handles"},
+    {"Values", "drag a slider", "change a value"},
+    {"Values", "Ctrl+click a slider", "type a value, also beyond the slider where it is legal"},
+    {"Values", "double-click a slider", "back to the default"},
+    {"Values", "Tab, arrow keys, Space", "reach and change controls without the mouse"},
+    {"Program", "Ctrl+O", "open a mesh, scene or environment; or drop a file on the window"},
+    {"Program", "F12", "save a picture of the view"},
+    {"Program", "Ctrl+F12", "save a picture of the whole window"},
+    {"Program", "F1", "this page"},
+    {"Program", "Esc", "close what is open on top"},
+    {"Program", "Ctrl+Q", "quit"},
+};
+
+[[nodiscard]] constexpr std::span<const Shortcut> shortcuts()
+{
+    return shortcutTable;
+}
+
+} // namespace reflectance::explorer
