@@ -68,6 +68,9 @@ template <class T> [[nodiscard]] constexpr Vec3<T> cross(const Vec3<T>& a, const
 /// The zero vector and vectors with NaN or infinite components give (0,0,0). Hazards H10 to H12.
 [[nodiscard]] inline Vec3d normalized(const Vec3d& v)
 {
+    // Where the square can neither overflow nor lose digits, scaling by a power of two would not change a bit.
+    if (const double squared = dot(v, v); squared > 1e-200 && squared < 1e200)
+        return v / std::sqrt(squared);
     const double largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
     if (!(largest > 0.0) || !std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
         return {};

@@ -1,0 +1,106 @@
+#include "core/render/cpu/ray_scene.h"
+
+#include "core/base/check.h"
+
+#include <algorithm>
+#include <embree3/rtcore.h>
+#include <limits>
+
+namespace reflectance {
+namespace {
+
+double radiusOf(const Mesh& mesh)
+{
+    double squared = 0.0;
+    for (const Vec3d& p : mesh.positions)
+        squared = std::max(squared, dot(p, p));
+    return std::sqrt(squared);
+}
+
+void attachTriangles(RTCDevice device, RTCScene scene, const Mesh& mesh)
+{
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
+    for (const Vec3d& p : mesh.positions)
+        for (const double coordinate : {p.x, p.y, p.z})
+            *vertices++ = static_cast<float>(coordinate);
+    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Mesh::Triangle), mesh.triangles.size()));
+    for (const Mesh::Triangle& triangle : mesh.triangles)
+        indices = std::copy(triangle.begin(), triangle.end(), indices);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+}
+
+/// Starts the ray where it enters the mesh's sphere, found in double: floats are then as fine as the mesh, however far
+/// away the eye is. A ray that misses the sphere is not traced.
+void placeRay(RTCRay8& rays, int* valid, std::size_t i, const RayPacket& packet, double radius)
+{
+    const Vec3d& direction = packet.directions[i];
+    const double nearest = -dot(packet.eye, direction);
+    const Vec3d foot = packet.eye + nearest * direction;
+    const double reach = 1.001 * radius;
+    valid[i] = packet.active[i] && nearest > -reach && dot(foot, foot) < reach * reach ? -1 : 0;
+    const Vec3d origin = packet.eye + std::max(0.0, nearest - reach) * direction;
+    rays.org_x[i] = static_cast<float>(origin.x);
+    rays.org_y[i] = static_cast<float>(origin.y);
+    rays.org_z[i] = static_cast<float>(origin.z);
+    rays.dir_x[i] = static_cast<float>(direction.x);
+    rays.dir_y[i] = static_cast<float>(direction.y);
+    rays.dir_z[i] = static_cast<float>(direction.z);
+    rays.tnear[i] = 0.0F;
+    rays.tfar[i] = std::numeric_limits<float>::infinity();
+    rays.time[i] = 0.0F;
+    rays.mask[i] = 0xFFFFFFFF;
+    rays.id[i] = 0;
+    rays.flags[i] = 0;
+}
+
+} // namespace
+
+void RayScene::Release::operator()(RTCDeviceTy* device) const
+{
+    rtcReleaseDevice(device);
+}
+
+void RayScene::Release::operator()(RTCSceneTy* scene) const
+{
+    rtcReleaseScene(scene);
+}
+
+RayScene::RayScene(std::shared_ptr<const Mesh> mesh)
+    : mesh_(std::move(mesh)), radius_(radiusOf(*mesh_)), device_(rtcNewDevice(nullptr)),
+      scene_(rtcNewScene(device_.get()))
+{
+    CHECK_EQ(rtcGetDeviceError(device_.get()), RTC_ERROR_NONE);
+    // Robust: no ray slips between two triangles that share an edge.
+    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+    if (!mesh_->triangles.empty())
+        attachTriangles(device_.get(), scene_.get(), *mesh_);
+    rtcCommitScene(scene_.get());
+    CHECK_EQ(rtcGetDeviceError(device_.get()), RTC_ERROR_NONE);
+}
+
+std::array<std::uint32_t, 8> RayScene::firstTriangles(const RayPacket& packet) const
+{
+    alignas(32) RTCRayHit8 rays;
+    alignas(32) int valid[8];
+    for (std::size_t i = 0; i < 8; ++i) {
+        placeRay(rays.ray, valid, i, packet, radius_);
+        rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        rays.hit.primID[i] = nothing;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect8(valid, scene_.get(), &context, &rays);
+
+    std::array<std::uint32_t, 8> triangles{};
+    for (std::size_t i = 0; i < 8; ++i)
+        triangles[i] = valid[i] != 0 && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? rays.hit.primID[i] : nothing;
+    return triangles;
+}
+
+} // namespace reflectance

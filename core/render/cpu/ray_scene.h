@@ -1,0 +1,45 @@
+// The mesh as Embree keeps it. It answers one question: which triangle does a ray meet first?
+#pragma once
+
+#include "core/geometry/mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+struct RTCDeviceTy;
+struct RTCSceneTy;
+
+namespace reflectance {
+
+/// Eight rays from one eye, as Embree traces them together. Unit directions.
+struct RayPacket {
+    Vec3d eye;
+    std::array<Vec3d, 8> directions;
+    std::array<bool, 8> active{}; ///< false: not to be traced
+};
+
+class RayScene {
+public:
+    static constexpr std::uint32_t nothing = 0xFFFFFFFF;
+
+    explicit RayScene(std::shared_ptr<const Mesh> mesh);
+
+    [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
+
+    /// The first triangle that each ray of the packet meets, or `nothing`.
+    [[nodiscard]] std::array<std::uint32_t, 8> firstTriangles(const RayPacket& packet) const;
+
+private:
+    struct Release {
+        void operator()(RTCDeviceTy* device) const;
+        void operator()(RTCSceneTy* scene) const;
+    };
+
+    std::shared_ptr<const Mesh> mesh_;
+    double radius_ = 0.0; ///< of a sphere about the origin that holds the mesh
+    std::unique_ptr<RTCDeviceTy, Release> device_;
+    std::unique_ptr<RTCSceneTy, Release> scene_;
+};
+
+} // namespace reflectance
