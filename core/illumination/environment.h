@@ -23,11 +23,19 @@ struct Environment {
     friend bool operator==(const Environment&, const Environment&) = default;
 };
 
-/// Radiance that arrives from a unit direction (pointing away from the object).
+/// Radiance that arrives from a unit direction (pointing away from the object); NaN for a direction with NaN.
+///
+/// A positive rotation turns the surroundings counterclockwise seen from above (+y): what stood at d stands at Ry d.
+/// So the lookup goes along Ry^-1 d = (c x - s z, y, s x + c z), with c, s the cosine and sine of the rotation.
+///
+/// Map, W x H texels: longitude u = 1/2 + atan2(x, -z) / 2 pi (so +x lies right of the centre column -z, as one sees it
+/// from inside), latitude v = atan2(sqrt(x^2 + z^2), y) / pi (0 at +y). Bilinear between texel centres at
+/// x = W u - 1/2 (wrapping round) and y = H v - 1/2 (kept inside: above the first centre the top row alone counts).
+/// shaders/illumination/map.glsl does the same.
 [[nodiscard]] Vec3d radianceFrom(const Environment& environment, const Vec3d& direction);
 [[nodiscard]] Vec3f radianceFrom(const Environment& environment, const Vec3f& direction);
 
-/// Reads a latitude-longitude picture (.exr or .hdr).
+/// Reads a latitude-longitude picture: OpenEXR or Radiance HDR, by content. Refuses formats that are not linear.
 [[nodiscard]] Result<Environment> loadEnvironment(const std::string& path);
 
 } // namespace reflectance

@@ -2,17 +2,10 @@
 #pragma once
 
 #include "core/math/lobe.h"
+#include "core/math/shading_language.h"
 #include "core/reflectance/kernel.h"
 
-#include <algorithm>
-
 namespace reflectance {
-
-// GLSL's min and max for the scalar types; lanes bring their own.
-[[nodiscard]] inline double max(double a, double b) { return std::max(a, b); }
-[[nodiscard]] inline float max(float a, float b) { return std::max(a, b); }
-[[nodiscard]] inline double min(double a, double b) { return std::min(a, b); }
-[[nodiscard]] inline float min(float a, float b) { return std::min(a, b); }
 
 template <class T> struct Frame {
     T lightDisc{};                  ///< (2 sin(a/2))^2 for the light's angular radius a; 0 for a light without extent

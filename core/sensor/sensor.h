@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/image/image.h"
+#include "core/math/srgb.h"
 
 #include <cstdint>
 #include <vector>
@@ -30,11 +31,12 @@ struct Developed {
     SensorCounts counts;
 };
 
+/// Runs in double, so that a code differs from the exact one only where 255 x lies within 1e-12 of a tie.
+/// NaN and negative channels give code 0, +infinity gives 255.
 [[nodiscard]] Developed develop(const Image& image, const Sensor& sensor);
 
-/// The exact sRGB curve (IEC 61966-2-1): linear 0 .. 1 to encoded 0 .. 1, and back.
+/// The exact sRGB curve (IEC 61966-2-1): linear 0 .. 1 to encoded 0 .. 1. decodeSrgb (core/math/srgb.h) goes back.
 [[nodiscard]] double encodeSrgb(double linear);
-[[nodiscard]] double decodeSrgb(double encoded);
 
 /// floor(255 x + 1/2) of x clamped to 0 .. 1; NaN gives 0.
 [[nodiscard]] std::uint8_t quantised(double encoded);

@@ -1,0 +1,78 @@
+#include "tools/translate.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+namespace reflectance::tools {
+namespace {
+
+bool isWordLetter(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Length of the number literal at `at`, 0 if none starts there.
+std::size_t numberLength(std::string_view code, std::size_t at)
+{
+    const auto digit = [&](std::size_t i) { return i < code.size() && std::isdigit(static_cast<unsigned char>(code[i])) != 0; };
+    if (!digit(at) && !(code[at] == '.' && digit(at + 1)))
+        return 0;
+    std::size_t end = at;
+    while (digit(end) || (end < code.size() && code[end] == '.'))
+        ++end;
+    if (end < code.size() && (code[end] == 'e' || code[end] == 'E')) {
+        const std::size_t sign = (code[end + 1] == '-' || code[end + 1] == '+') ? 1 : 0;
+        for (end += 1 + sign; digit(end);)
+            ++end;
+    }
+    return end - at;
+}
+
+std::string typeNamed(std::string_view word)
+{
+    if (word == "uniform")
+        return "";
+    if (word == "float")
+        return "T";
+    if (word == "vec3")
+        return "Vec3<T>";
+    if (word == "mat3")
+        return "Mat3<T>";
+    return std::string(word);
+}
+
+} // namespace
+
+std::string instantiated(std::string_view code)
+{
+    std::string out;
+    for (std::size_t i = 0; i < code.size();) {
+        if (code.substr(i, 2) == "//") {
+            i = std::min(code.find('\n', i), code.size());
+        } else if (const std::size_t length = numberLength(code, i)) {
+            out.append("lit<T>(").append(code.substr(i, length)).append(")");
+            i += length;
+        } else if (isWordLetter(code[i])) {
+            std::size_t end = i;
+            while (end < code.size() && isWordLetter(code[end]))
+                ++end;
+            out += typeNamed(code.substr(i, end - i));
+            i = end;
+        } else {
+            out.push_back(code[i++]);
+        }
+    }
+    return out;
+}
+
+std::string contents(const std::string& path)
+{
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+} // namespace reflectance::tools

@@ -1,0 +1,16 @@
+// Build step: from the GLSL of a shared text to the body of a C++ class template.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace reflectance::tools {
+
+/// The text with T for float, Vec3<T> for vec3, Mat3<T> for mat3 and lit<T>(0.33) for literals; a uniform becomes a
+/// data member. Comments go, line ends stay: after a #line, errors, coverage and debuggers point into the .glsl file.
+[[nodiscard]] std::string instantiated(std::string_view code);
+
+/// The whole file; empty if it cannot be read.
+[[nodiscard]] std::string contents(const std::string& path);
+
+} // namespace reflectance::tools
