@@ -55,6 +55,9 @@ struct Scene {
 /// The lights that are on.
 [[nodiscard]] std::vector<Light> shiningLights(const Scene& scene);
 
+/// Names of the meshes that the program carries: "mug", "sphere", ...
+[[nodiscard]] std::vector<std::string> stockMeshes();
+
 /// A stock mesh of the program by name ("mug"), or any mesh file by path.
 [[nodiscard]] Result<std::shared_ptr<const Mesh>> openMesh(const std::string& nameOrPath);
 

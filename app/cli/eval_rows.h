@@ -1,0 +1,29 @@
+// The rows of `eval`: CSV text in, observations out. See --help of eval for the columns.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/reflectance/catalogue.h"
+#include "core/reflectance/observation.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reflectance::cli {
+
+struct EvalRow {
+    std::string id;
+    const Model* model = nullptr;
+    std::vector<double> values; ///< flat, of the model
+    Observation observation;
+};
+
+struct EvalRows {
+    std::vector<EvalRow> rows;
+    std::vector<Error> bad; ///< rows that were left out, by line and column
+};
+
+/// An error only where the header itself cannot be used.
+[[nodiscard]] Result<EvalRows> parseEvalRows(std::string_view csv, const std::string& file);
+
+} // namespace reflectance::cli

@@ -1,0 +1,84 @@
+// The program: verbs for scripts, and without a verb the explorer.
+#include "app/cli/scene_options.h"
+#include "app/cli/verbs.h"
+#include "app/explorer/explorer.h"
+#include "core/render/render_picture.h"
+#include "core/sensor/picture.h"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace reflectance::cli {
+namespace {
+
+constexpr const char* description =
+    "Understand, compare and trust reflectance models: illumination -> surface reflectance -> sensor.\n"
+    "Without a verb the explorer opens, on the mesh or scene named, else on a clay mug.";
+
+/// Without a display the default view goes to a picture, and the user learns how to get others.
+int renderInstead(const std::string& input)
+{
+    constexpr const char* out = "reflectance.png";
+    SceneOptions options;
+    options.input = input;
+    const auto scene = sceneFrom(options);
+    if (!scene)
+        return refused(scene.error());
+    const auto rendered = renderPicture(*scene, RenderSettings(), RenderPlan());
+    if (!rendered)
+        return refused(rendered.error());
+    const auto saved = savePicture(out, rendered->image, scene->sensor);
+    if (!saved)
+        return refused(saved.error());
+    std::cerr << "reflectance: there is no display to open a window on, so the view was rendered to " << out
+              << "; 'reflectance render --help' tells how to render others\n";
+    return Done;
+}
+
+int explore(const std::string& input)
+{
+    explorer::ExplorerOptions options;
+    options.input = input;
+    const auto ended = explorer::runExplorer(options);
+    if (!ended)
+        return refused(ended.error());
+    return *ended == explorer::Outcome::NoDisplay ? renderInstead(input) : Done;
+}
+
+int run(int argc, char** argv)
+{
+    CLI::App program(description, "reflectance");
+    program.set_version_flag("--version", std::string("reflectance ") + REFLECTANCE_VERSION);
+    std::string input;
+    program.add_option("input", input, "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json)");
+    int exitCode = Done;
+    addRender(program, exitCode);
+    addEval(program, exitCode);
+    addModels(program, exitCode);
+    addInspect(program, exitCode);
+    addCompare(program, exitCode);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return program.exit(help);
+    } catch (const CLI::ParseError& error) {
+        return refused(Error{std::string(error.what()) + "; 'reflectance --help' and 'reflectance VERB --help' tell more"});
+    }
+    return program.get_subcommands().empty() ? explore(input) : exitCode;
+}
+
+} // namespace
+} // namespace reflectance::cli
+
+int main(int argc, char** argv)
+{
+    try {
+        return reflectance::cli::run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return reflectance::cli::refused({"out of memory; try a smaller mesh, picture or number of samples"});
+    } catch (const std::exception& error) {
+        return reflectance::cli::refused({error.what()});
+    }
+}

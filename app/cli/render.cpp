@@ -1,0 +1,153 @@
+// `render`: one picture, by the GL or the CPU renderer, and the figures about it.
+#include "app/cli/report.h"
+#include "app/cli/scene_options.h"
+#include "app/cli/verbs.h"
+#include "core/base/text.h"
+#include "core/image/compare.h"
+#include "core/image/picture_file.h"
+#include "core/reflectance/kernel_tables.h"
+#include "core/render/render_picture.h"
+#include "core/scene/requirements.h"
+#include "core/sensor/picture.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace reflectance::cli {
+namespace {
+
+struct Options {
+    SceneOptions scene;
+    std::string out;
+    std::string backend = "auto";
+    std::string precision;
+    std::string context = "any";
+    std::string shading = "pixel";
+    int frames = 1;
+    std::string reference;
+    double threshold = 0.0;
+    std::string json;
+};
+
+Result<RenderPlan> planFrom(const Options& options)
+{
+    RenderPlan plan;
+    plan.backend = options.backend == "gl" ? Backend::Gl : options.backend == "cpu" ? Backend::Cpu : Backend::Auto;
+    plan.context = contextNamed(options.context);
+    plan.frames = options.frames;
+    if (options.precision.empty())
+        return plan;
+    if (options.precision == "glsl")
+        plan.backend = Backend::Gl;
+    else if (plan.backend == Backend::Gl)
+        return Error{"--precision " + options.precision + " belongs to the CPU renderer; GL computes in glsl; leave one of the two flags out"};
+    else
+        plan.backend = Backend::Cpu;
+    plan.precision = options.precision == "float"  ? Precision::Float
+                     : options.precision == "simd" ? Precision::Simd
+                                                   : Precision::Double;
+    return plan;
+}
+
+nlohmann::ordered_json report(const Options& options, const Scene& scene, const RenderSettings& settings,
+                              const Rendered& rendered, const SensorCounts& counts)
+{
+    return {{"out", options.out},
+            {"width", settings.width},
+            {"height", settings.height},
+            {"samples", settings.samplesPerAxis * settings.samplesPerAxis},
+            {"model", scene.surface.model},
+            {"triangles", scene.mesh->triangles.size()},
+            {"backend", rendered.backend},
+            {"precision", rendered.precision},
+            {"first_frame_ms", rendered.firstFrameMilliseconds},
+            {"shading_ms", rendered.shadingMilliseconds},
+            {"negative_pixels", counts.negative},
+            {"clipped_pixels", counts.clipped},
+            {"non_finite_pixels", counts.nonFinite},
+            {"left_out", leftOut(scene)}};
+}
+
+int compareWithReference(const Options& options, const Image& image)
+{
+    const auto reference = readPicture(options.reference);
+    if (!reference)
+        return refused(reference.error());
+    const auto metrics = compareImages(image, reference->image);
+    if (!metrics)
+        return refused(metrics.error());
+    const bool holds = metrics->maxAbs <= options.threshold;
+    std::cerr << "reference " << options.reference << ": largest difference " << general(metrics->maxAbs, 6)
+              << (holds ? " is within " : " is beyond ") << general(options.threshold, 6) << '\n';
+    return holds ? Done : DoesNotHold;
+}
+
+/// What the reference is held against: the picture as it was written, so that a PNG compares with a PNG.
+Result<Image> asWritten(const std::string& path)
+{
+    auto picture = readPicture(path);
+    if (!picture)
+        return picture.error();
+    return std::move(picture->image);
+}
+
+int run(const Options& options)
+{
+    const auto format = outputFormat(options.out);
+    if (!format)
+        return refused(format.error());
+    const auto plan = planFrom(options);
+    if (!plan)
+        return refused(plan.error());
+    const auto settings = settingsFrom(options.scene);
+    if (!settings)
+        return refused(settings.error());
+    const auto scene = sceneFrom(options.scene);
+    if (!scene)
+        return refused(scene.error());
+    const auto rendered = renderPicture(*scene, *settings, *plan);
+    if (!rendered)
+        return refused(rendered.error());
+    const auto counts = savePicture(options.out, rendered->image, scene->sensor);
+    if (!counts)
+        return refused(counts.error());
+    if (const auto written = writeReport(options.json, report(options, *scene, *settings, *rendered, *counts)); !written)
+        return refused(written.error());
+    if (options.reference.empty())
+        return Done;
+    const auto image = asWritten(options.out);
+    return image ? compareWithReference(options, *image) : refused(image.error());
+}
+
+} // namespace
+
+void addRender(CLI::App& program, int& exitCode)
+{
+    auto options = std::make_shared<Options>();
+    CLI::App* verb = program.add_subcommand("render", "One picture of a mesh or a scene, without a window");
+    addSceneOptions(*verb, options->scene);
+    verb->add_option("--out", options->out, "picture to write: .png (after the sensor), .exr or .pfm (linear, before it)")->required();
+    verb->add_option("--backend", options->backend, "auto (GL where there is one), gl or cpu")
+        ->check(CLI::IsMember({"auto", "gl", "cpu"}))
+        ->capture_default_str();
+    verb->add_option("--precision", options->precision, "double, float or simd choose the CPU renderer, glsl the GL one")
+        ->check(CLI::IsMember({"double", "float", "simd", "glsl"}));
+    verb->add_option("--context", options->context, "GL context: any, osmesa or egl")
+        ->check(CLI::IsMember({"any", "osmesa", "egl"}))
+        ->capture_default_str();
+    verb->add_option("--shading", options->shading, "where the model is evaluated: pixel")
+        ->check(CLI::IsMember({"pixel"}))
+        ->capture_default_str();
+    verb->add_option("--frames", options->frames, "shade this often and report the median time")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    verb->add_option("--reference", options->reference, "picture to compare with: exit 0 if within --threshold, else 1");
+    verb->add_option("--threshold", options->threshold, "largest linear difference that still holds")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    verb->add_option("--json", options->json, "figures about the picture, to a file or - for standard output");
+    verb->callback([options, &exitCode] { exitCode = run(*options); });
+}
+
+} // namespace reflectance::cli

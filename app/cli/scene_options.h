@@ -1,0 +1,42 @@
+// The flags that describe a scene, shared by every verb that takes one: --model, --set, --light, --camera, ...
+#pragma once
+
+#include "core/base/result.h"
+#include "core/render/settings.h"
+#include "core/scene/scene.h"
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reflectance::cli {
+
+struct SceneOptions {
+    std::string input; ///< mesh, stock mesh name or scene file; empty: the default scene
+    std::string size;
+    int samples = 4;
+    std::string model;
+    std::vector<std::string> assignments;
+    std::vector<std::string> lights;
+    std::string camera;
+    std::string environment;
+    std::string background;
+    std::optional<double> exposure;
+};
+
+void addSceneOptions(CLI::App& verb, SceneOptions& options);
+
+/// The scene that the flags describe.
+[[nodiscard]] Result<Scene> sceneFrom(const SceneOptions& options);
+
+/// Size and samples, checked. `fallback` is used where --size was not given.
+[[nodiscard]] Result<RenderSettings> settingsFrom(const SceneOptions& options, RenderSettings fallback = {});
+
+/// "directional:X,Y,Z[:I[:RADIUS]]" or "point:X,Y,Z[:I[:RADIUS]]", I one or three numbers.
+[[nodiscard]] Result<Light> parseLight(const std::string& text);
+
+/// "orbit=AZIMUTH,ELEVATION" (degrees) or "eye=X,Y,Z", then ":target=X,Y,Z", ":up=X,Y,Z", ":fov=DEGREES".
+[[nodiscard]] Result<Camera> parseCamera(const std::string& text, Camera camera, double aspect);
+
+} // namespace reflectance::cli

@@ -1,0 +1,76 @@
+// What the explorer knows: the scene being edited and how it is being looked at. Panels and gestures change it, the
+// frame loop draws it. No GL and no ImGui in here.
+#pragma once
+
+#include "app/explorer/ui/panel_memory.h"
+#include "core/scene/scene.h"
+#include "core/sensor/sensor.h"
+#include "core/study/price_tag.h"
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reflectance::explorer {
+
+/// Things a panel, a key or a menu asks the frame loop to do.
+struct Request {
+    enum class Kind {
+        OpenFile, OpenDialog, SaveView, SaveWindow, SaveScene, Frame, ResetView, ResetScene, CancelLoading, Quit
+    };
+    Kind kind;
+    std::string path; ///< OpenFile: a mesh, scene or environment, told apart by its ending; SaveView and SaveWindow: empty chooses a name in the pictures folder
+};
+
+/// Kept between sessions where the desktop's conventions put settings.
+struct Preferences {
+    std::deque<std::string> recentFiles; ///< newest first, at most 10
+    int windowWidth = 1280, windowHeight = 800;
+    float panelWidth = 360.0F;     ///< of the panels, in points
+    float interfaceScale = 0.0F;   ///< 0: from the monitor
+    int samplesPerAxis = 2;
+    bool showLightHandles = true;
+};
+
+/// A mesh being read on another thread.
+struct Loading {
+    std::string file;
+    double done = 0.0; ///< 0 .. 1
+};
+
+/// A sentence for the status line; errors stay until dismissed or replaced.
+struct Message {
+    std::string text;
+    bool isError = false;
+};
+
+struct ExplorerState {
+    Scene scene;
+    int selectedLight = 0; ///< index into scene.lights, -1 for none
+    int soloLight = -1;    ///< only this light shines; -1 for all
+    bool turntable = false;
+    bool showHelp = false;
+    bool showFileBrowser = false;
+    Preferences preferences;
+
+    std::vector<Request> requests;
+    std::optional<Loading> loading;
+    std::optional<Message> message;
+
+    // What the status line reports.
+    double frameMilliseconds = 0.0;
+    std::string renderer;                ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::vector<PriceTag> priceTags;     ///< of the current scene; empty while being measured
+    bool measuringPrices = false;
+    std::optional<SensorCounts> sensorCounts; ///< of the last picture; none where they were not counted
+
+    // Between the panels and the frame loop.
+    PanelMemory panels;
+    bool drawSoon = false; ///< a panel waits for time to pass (tooltip, text cursor): draw again within 0.1 s
+};
+
+/// The scene as it is drawn: solo leaves one light on.
+[[nodiscard]] Scene shownScene(const ExplorerState& state);
+
+} // namespace reflectance::explorer

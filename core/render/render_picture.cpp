@@ -1,0 +1,98 @@
+#include "core/render/render_picture.h"
+
+#include "core/render/cpu/cpu_renderer.h"
+#include "core/render/gl/gl_renderer.h"
+#include "core/reflectance/kernel_tables.h"
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace reflectance {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// The median of the shadings after the first.
+template <class Shade> double medianMilliseconds(int repetitions, Shade shade)
+{
+    std::vector<double> times;
+    for (int i = 0; i < repetitions; ++i) {
+        const Clock::time_point start = Clock::now();
+        shade();
+        times.push_back(millisecondsSince(start));
+    }
+    if (times.empty())
+        return 0.0;
+    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+    return times[times.size() / 2];
+}
+
+Rendered renderByCpu(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
+{
+    Rendered rendered;
+    rendered.backend = "cpu";
+    rendered.precision = std::string(nameOf(plan.precision));
+    if (plan.precision == Precision::Simd)
+        rendered.precision += std::string(" (") + lanesName() + ")";
+    const Clock::time_point start = Clock::now();
+    const auto rays = makeRayScene(scene.mesh);
+    const ViewSamples samples = sampleView(*rays, scene.camera, settings);
+    rendered.image = shadeSamples(samples, scene, plan.precision);
+    rendered.firstFrameMilliseconds = millisecondsSince(start);
+    rendered.shadingMilliseconds = medianMilliseconds(
+        plan.frames - 1, [&] { rendered.image = shadeSamples(samples, scene, plan.precision); });
+    return rendered;
+}
+
+Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
+                            HeadlessContext& context)
+{
+    Rendered rendered;
+    rendered.backend = "gl (" + std::string(context.name()) + ")";
+    rendered.precision = nameOf(Precision::Glsl);
+    const Clock::time_point start = Clock::now();
+    auto renderer = GlRenderer::create(context.loader());
+    if (!renderer)
+        return renderer.error();
+    if (const auto drawn = renderer->render(scene, settings); !drawn)
+        return drawn.error();
+    renderer->finish();
+    rendered.firstFrameMilliseconds = millisecondsSince(start);
+    Result<void> last;
+    rendered.shadingMilliseconds = medianMilliseconds(plan.frames - 1, [&] {
+        renderer->invalidateShading();
+        last = renderer->render(scene, settings);
+        renderer->finish();
+    });
+    if (!last)
+        return last.error();
+    rendered.image = renderer->readLinear();
+    return rendered;
+}
+
+} // namespace
+
+Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
+{
+    if (plan.backend == Backend::Cpu)
+        return renderByCpu(scene, settings, plan);
+    auto context = openHeadless(plan.context);
+    if (context)
+        return renderByGl(scene, settings, plan, **context);
+    if (plan.backend == Backend::Gl)
+        return context.error();
+    return renderByCpu(scene, settings, plan);
+}
+
+ContextKind contextNamed(std::string_view name)
+{
+    return name == "osmesa" ? ContextKind::OsMesa : name == "egl" ? ContextKind::Egl : ContextKind::Any;
+}
+
+} // namespace reflectance

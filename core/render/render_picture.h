@@ -1,0 +1,37 @@
+// One picture by whichever renderer is asked for, without a window: what `render` and the start without a display use.
+#pragma once
+
+#include "core/image/image.h"
+#include "core/reflectance/precision.h"
+#include "core/render/headless/headless_context.h"
+#include "core/render/settings.h"
+#include "core/scene/scene.h"
+
+#include <string>
+#include <string_view>
+
+namespace reflectance {
+
+enum class Backend { Auto, Gl, Cpu };
+
+struct RenderPlan {
+    Backend backend = Backend::Auto; ///< Auto: GL where a context opens, else the CPU
+    Precision precision = Precision::Double; ///< of the CPU renderer
+    ContextKind context = ContextKind::Any;
+    int frames = 1; ///< shadings; more than one for timing
+};
+
+struct Rendered {
+    Image image;
+    std::string backend;   ///< "cpu", "gl (osmesa)"
+    std::string precision; ///< "double", "glsl"
+    double firstFrameMilliseconds = 0.0; ///< visibility and shading, from nothing
+    double shadingMilliseconds = 0.0;    ///< shading again: the median of the frames after the first; 0 for one frame
+};
+
+[[nodiscard]] Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan);
+
+/// "osmesa" and "egl"; anything else is Any.
+[[nodiscard]] ContextKind contextNamed(std::string_view name);
+
+} // namespace reflectance

@@ -1,0 +1,151 @@
+#include "core/scene/json_reader.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reflectance {
+namespace {
+
+/// A number or a list of numbers; empty if it is neither.
+std::vector<double> numbersOf(const ObjectReader::Json& json)
+{
+    if (json.is_number())
+        return {json.get<double>()};
+    const auto isNumber = [](const ObjectReader::Json& item) { return item.is_number(); };
+    if (!json.is_array() || !std::all_of(json.begin(), json.end(), isNumber))
+        return {};
+    return json.get<std::vector<double>>();
+}
+
+bool allWithin(const std::vector<double>& numbers, double low, double high)
+{
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [=](double v) { return std::isfinite(v) && v >= low && v <= high; });
+}
+
+std::string rangeText(double low, double high)
+{
+    return std::isfinite(low) || std::isfinite(high) ? " within " + shortest(low) + " .. " + shortest(high) : "";
+}
+
+} // namespace
+
+ObjectReader::ObjectReader(const Json& object, std::string where, std::optional<std::string>& problem)
+    : object_(&object), where_(std::move(where)), problem_(&problem)
+{
+    if (!object.is_object())
+        fail(where_ + " is not an object { }");
+}
+
+const ObjectReader::Json* ObjectReader::find(const char* key)
+{
+    known_.insert(key);
+    if (!object_->is_object())
+        return nullptr;
+    const auto found = object_->find(key);
+    return found == object_->end() ? nullptr : &*found;
+}
+
+void ObjectReader::read(const char* key, double& value, double low, double high)
+{
+    const Json* json = find(key);
+    if (!json)
+        return;
+    if (!json->is_number() || !allWithin({json->get<double>()}, low, high))
+        return fail(nameOf(key) + " must be a number" + rangeText(low, high));
+    value = json->get<double>();
+}
+
+void ObjectReader::read(const char* key, int& value, int low, int high)
+{
+    const Json* json = find(key);
+    if (!json)
+        return;
+    if (!json->is_number_integer() || json->get<long>() < low || json->get<long>() > high)
+        return fail(nameOf(key) + " must be a whole number" + rangeText(low, high));
+    value = json->get<int>();
+}
+
+void ObjectReader::read(const char* key, bool& value)
+{
+    const Json* json = find(key);
+    if (!json)
+        return;
+    if (!json->is_boolean())
+        return fail(nameOf(key) + " must be true or false");
+    value = json->get<bool>();
+}
+
+void ObjectReader::read(const char* key, std::string& value)
+{
+    const Json* json = find(key);
+    if (!json)
+        return;
+    if (!json->is_string())
+        return fail(nameOf(key) + " must be a text in quotes");
+    value = json->get<std::string>();
+}
+
+void ObjectReader::read(const char* key, Vec3d& value, double low)
+{
+    const Json* json = find(key);
+    if (!json)
+        return;
+    const std::vector<double> numbers = numbersOf(*json);
+    if (numbers.size() != 3 || !allWithin(numbers, low, std::numeric_limits<double>::max()))
+        return fail(nameOf(key) + " must be three finite numbers [x, y, z]" + (low == 0.0 ? ", none negative" : ""));
+    value = {numbers[0], numbers[1], numbers[2]};
+}
+
+void ObjectReader::eachNumberList(const char* key,
+                                  const std::function<void(const std::string&, const std::vector<double>&)>& take)
+{
+    const Json* json = find(key);
+    if (!json)
+        return;
+    if (!json->is_object())
+        return fail(nameOf(key) + " is not an object { }");
+    for (const auto& [name, item] : json->items()) {
+        const std::vector<double> numbers = numbersOf(item);
+        if (numbers.empty())
+            return fail(nameOf(key) + "." + name + " must be a number or a list of numbers");
+        take(name, numbers);
+    }
+}
+
+void ObjectReader::readObject(const char* key, const std::function<void(ObjectReader)>& take)
+{
+    if (const Json* json = find(key))
+        take(ObjectReader(*json, nameOf(key), *problem_));
+}
+
+std::string ObjectReader::chosenName(const char* key, const std::vector<std::string>& names)
+{
+    const Json* json = find(key);
+    if (!json)
+        return {};
+    const std::string chosen = json->is_string() ? json->get<std::string>() : json->dump();
+    if (std::find(names.begin(), names.end(), chosen) == names.end())
+        fail(nameOf(key) + " is '" + chosen + "'; choose one of: " + joined(names));
+    return chosen;
+}
+
+void ObjectReader::fail(const std::string& sentence)
+{
+    if (!*problem_)
+        *problem_ = sentence;
+}
+
+void ObjectReader::finish()
+{
+    if (!object_->is_object())
+        return;
+    for (const auto& [key, value] : object_->items())
+        if (!known_.contains(key))
+            fail(where_ + " has an unknown key '" + key + "'; did you mean '" +
+                 nearestName(key, {known_.begin(), known_.end()}) + "'?");
+}
+
+} // namespace reflectance

@@ -1,0 +1,85 @@
+// Reads JSON objects key by key with checks; the first problem is kept as a sentence and keys nobody asked for are
+// problems too. Internal to scene files.
+#pragma once
+
+#include "core/math/vec.h"
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reflectance {
+
+/// One word of a choice, as files spell it.
+template <class T> struct NamedValue {
+    std::string_view name;
+    T value;
+};
+
+class ObjectReader {
+public:
+    using Json = nlohmann::ordered_json;
+    static constexpr double inf = std::numeric_limits<double>::infinity();
+
+    /// `where` names the object in sentences; `problem` receives the first one.
+    ObjectReader(const Json& object, std::string where, std::optional<std::string>& problem);
+
+    void read(const char* key, double& value, double low = -inf, double high = inf);
+    void read(const char* key, int& value, int low, int high);
+    void read(const char* key, bool& value);
+    void read(const char* key, std::string& value);
+    void read(const char* key, Vec3d& value, double low = -inf);
+    void eachNumberList(const char* key, const std::function<void(const std::string&, const std::vector<double>&)>& take);
+    void readObject(const char* key, const std::function<void(ObjectReader)>& take);
+
+    template <class T> void readList(const char* key, std::vector<T>& list, void (*readOne)(ObjectReader, T&));
+    template <class T, std::size_t count>
+    void readNamed(const char* key, const NamedValue<T> (&names)[count], T& value);
+
+    void fail(const std::string& sentence); ///< keeps the first sentence only
+    void finish();                          ///< complains of keys that nobody read
+
+private:
+    const Json* find(const char* key);
+    std::string nameOf(const char* key) const { return where_ + "." + key; }
+    std::string chosenName(const char* key, const std::vector<std::string>& names);
+
+    const Json* object_;
+    std::string where_;
+    std::optional<std::string>* problem_;
+    std::set<std::string> known_;
+};
+
+template <class T> void ObjectReader::readList(const char* key, std::vector<T>& list, void (*readOne)(ObjectReader, T&))
+{
+    const Json* json = find(key);
+    if (!json)
+        return;
+    if (!json->is_array())
+        return fail(nameOf(key) + " is not a list");
+    list.clear();
+    for (const Json& item : *json) {
+        list.emplace_back();
+        readOne(ObjectReader(item, nameOf(key) + "[" + std::to_string(list.size() - 1) + "]", *problem_), list.back());
+    }
+}
+
+template <class T, std::size_t count>
+void ObjectReader::readNamed(const char* key, const NamedValue<T> (&names)[count], T& value)
+{
+    std::vector<std::string> all;
+    for (const NamedValue<T>& named : names)
+        all.emplace_back(named.name);
+    const std::string chosen = chosenName(key, all);
+    for (const NamedValue<T>& named : names)
+        if (named.name == chosen)
+            value = named.value;
+}
+
+} // namespace reflectance

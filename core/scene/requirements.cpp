@@ -1,0 +1,74 @@
+#include "core/scene/requirements.h"
+
+#include <algorithm>
+
+namespace reflectance {
+namespace {
+
+bool isBlack(const Environment& environment)
+{
+    return environment.kind == EnvironmentKind::None || environment.radiance == Vec3d();
+}
+
+bool shines(const Light& light)
+{
+    return light.on && !(light.intensity == Vec3d());
+}
+
+bool anyLight(const Scene& scene, LightKind kind)
+{
+    return std::any_of(scene.lights.begin(), scene.lights.end(),
+                       [kind](const Light& light) { return shines(light) && light.kind == kind; });
+}
+
+} // namespace
+
+std::string Requirements::key() const
+{
+    std::string text = model;
+    const auto append = [&text](bool required, const char* name) {
+        if (required)
+            text.append("+").append(name);
+    };
+    append(directionalLights, "directional");
+    append(pointLights, "point");
+    append(environment, "environment");
+    append(environmentBackground, "background");
+    append(environmentMap, "map");
+    return text;
+}
+
+Requirements requirementsOf(const Scene& scene)
+{
+    const Model& model = modelOf(scene);
+    Requirements r;
+    r.model = model.id();
+    r.directionalLights = anyLight(scene, LightKind::Directional);
+    r.pointLights = anyLight(scene, LightKind::Point);
+    r.environment = model.text.usesEnvironment && !isBlack(scene.environment);
+    r.environmentBackground = scene.background.kind == BackgroundKind::Environment && !isBlack(scene.environment);
+    r.environmentMap = (r.environment || r.environmentBackground) && scene.environment.kind == EnvironmentKind::Map;
+    return r;
+}
+
+std::vector<std::string> leftOut(const Scene& scene)
+{
+    const Model& model = modelOf(scene);
+    std::vector<std::string> notes;
+    if (!model.text.usesEnvironment && !isBlack(scene.environment))
+        notes.push_back("environment: " + model.text.name + " is lit by the lights alone");
+    for (const Light& light : scene.lights) {
+        if (!light.on)
+            notes.push_back("light '" + light.name + "': switched off");
+        else if (!shines(light))
+            notes.push_back("light '" + light.name + "': its intensity is 0");
+        else if (model.text.usesLightSize && light.angularRadius == 0.0)
+            notes.push_back("light '" + light.name + "': its radius is 0, and no view direction meets a point in a mirror");
+    }
+    const auto hasSize = [](const Light& light) { return shines(light) && light.angularRadius > 0.0; };
+    if (!model.text.usesLightSize && std::any_of(scene.lights.begin(), scene.lights.end(), hasSize))
+        notes.push_back("light sizes: " + model.text.name + " sees every light as a point");
+    return notes;
+}
+
+} // namespace reflectance

@@ -1,0 +1,244 @@
+#include "core/scene/scene_file.h"
+
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/scene/json_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace reflectance {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr NamedValue<LightKind> lightKinds[] = {{"directional", LightKind::Directional}, {"point", LightKind::Point}};
+constexpr NamedValue<EnvironmentKind> environmentKinds[] = {{"none", EnvironmentKind::None},
+                                                            {"constant", EnvironmentKind::Constant},
+                                                            {"studio", EnvironmentKind::Studio},
+                                                            {"map", EnvironmentKind::Map}};
+constexpr NamedValue<BackgroundKind> backgroundKinds[] = {{"plain", BackgroundKind::Plain},
+                                                          {"environment", BackgroundKind::Environment}};
+
+template <class T, std::size_t count> std::string nameOf(const NamedValue<T> (&names)[count], T value)
+{
+    for (const NamedValue<T>& named : names)
+        if (named.value == value)
+            return std::string(named.name);
+    return {};
+}
+
+Json array(const Vec3d& v)
+{
+    return Json::array({v.x, v.y, v.z});
+}
+
+/// A path as the scene file writes it, and back.
+std::string relativeTo(const std::string& folder, const std::string& path)
+{
+    const fs::path relative = fs::path(path).lexically_relative(folder);
+    const bool below = !relative.empty() && *relative.begin() != "..";
+    return below ? relative.string() : path;
+}
+
+std::string resolvedIn(const std::string& folder, const std::string& path)
+{
+    return fs::path(path).is_absolute() ? path : (fs::path(folder) / path).lexically_normal().string();
+}
+
+bool isStockMesh(const std::string& name)
+{
+    const std::vector<std::string> names = stockMeshes();
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+Json written(const Light& light)
+{
+    Json json{{"name", light.name}, {"kind", nameOf(lightKinds, light.kind)}};
+    if (light.kind == LightKind::Directional)
+        json["direction"] = array(light.direction);
+    else
+        json["position"] = array(light.position);
+    json["intensity"] = array(light.intensity);
+    json["radius"] = light.angularRadius;
+    json["on"] = light.on;
+    return json;
+}
+
+Json written(const Environment& environment, const std::string& folder)
+{
+    Json json{{"kind", nameOf(environmentKinds, environment.kind)},
+              {"radiance", array(environment.radiance)},
+              {"rotation", environment.rotation}};
+    if (environment.kind == EnvironmentKind::Map)
+        json["file"] = relativeTo(folder, environment.file);
+    return json;
+}
+
+Json written(const Surface& surface)
+{
+    Json parameters = Json::object();
+    for (const auto& [name, numbers] : surface.values)
+        parameters[name] = numbers.size() == 1 ? Json(numbers.front()) : Json(numbers);
+    return {{"model", surface.model}, {"parameters", parameters}};
+}
+
+void readCamera(ObjectReader object, Camera& camera)
+{
+    object.read("eye", camera.eye);
+    object.read("target", camera.target);
+    object.read("up", camera.up);
+    object.read("field_of_view", camera.fieldOfView, 1.0, 120.0);
+    object.finish();
+}
+
+void readLight(ObjectReader object, Light& light)
+{
+    object.read("name", light.name);
+    object.readNamed("kind", lightKinds, light.kind);
+    object.read("direction", light.direction);
+    object.read("position", light.position);
+    object.read("intensity", light.intensity, 0.0);
+    object.read("radius", light.angularRadius, 0.0, 90.0);
+    object.read("on", light.on);
+    if (normalized(light.direction) == Vec3d())
+        object.fail("direction of light '" + light.name + "' is the zero vector; give a direction");
+    object.finish();
+}
+
+void readEnvironment(ObjectReader object, Environment& environment, const std::string& folder)
+{
+    object.readNamed("kind", environmentKinds, environment.kind);
+    object.read("radiance", environment.radiance, 0.0);
+    object.read("rotation", environment.rotation);
+    object.read("file", environment.file);
+    object.finish();
+    if (environment.kind != EnvironmentKind::Map)
+        return;
+    auto loaded = loadEnvironment(resolvedIn(folder, environment.file));
+    if (!loaded)
+        return object.fail(loaded.error().sentence());
+    environment.map = loaded->map;
+    environment.file = loaded->file;
+}
+
+void readBackground(ObjectReader object, Background& background)
+{
+    object.readNamed("kind", backgroundKinds, background.kind);
+    object.read("color", background.color, 0.0);
+    object.finish();
+}
+
+void readSurface(ObjectReader object, Surface& surface)
+{
+    object.read("model", surface.model);
+    const auto model = findModel(surface.model);
+    if (!model)
+        return object.fail(model.error().message);
+    object.eachNumberList("parameters", [&](const std::string& name, const std::vector<double>& numbers) {
+        // A parameter that only other models know is kept for them.
+        for (const Model& other : catalogue()) {
+            const Parameter* parameter = other.text.find(name);
+            if (!parameter)
+                continue;
+            auto checked = checkedValue(*parameter, numbers);
+            if (!checked)
+                return object.fail(checked.error().message);
+            surface.values[name] = *std::move(checked);
+            return;
+        }
+        object.fail("no model has a parameter '" + name + "'");
+    });
+    object.finish();
+}
+
+void readMesh(ObjectReader& object, Scene& scene, const std::string& folder)
+{
+    std::string file = scene.meshFile;
+    object.read("mesh", file);
+    if (file == scene.meshFile)
+        return;
+    if (!isStockMesh(file))
+        file = resolvedIn(folder, file);
+    auto mesh = openMesh(file);
+    if (!mesh)
+        return object.fail(mesh.error().sentence());
+    scene.mesh = *std::move(mesh);
+    scene.meshFile = file;
+}
+
+void readScene(ObjectReader object, Scene& scene, const std::string& folder)
+{
+    int version = sceneFormatVersion;
+    object.read("reflectance_scene", version, 1, sceneFormatVersion);
+    readMesh(object, scene, folder);
+    object.readObject("camera", [&](ObjectReader part) { readCamera(part, scene.camera); });
+    object.readList("lights", scene.lights, readLight);
+    object.readObject("environment", [&](ObjectReader part) { readEnvironment(part, scene.environment, folder); });
+    object.readObject("background", [&](ObjectReader part) { readBackground(part, scene.background); });
+    object.readObject("surface", [&](ObjectReader part) { readSurface(part, scene.surface); });
+    object.readObject("sensor", [&](ObjectReader part) {
+        part.read("exposure", scene.sensor.exposure, -16.0, 16.0);
+        part.finish();
+    });
+    object.finish();
+}
+
+} // namespace
+
+std::string sceneText(const Scene& scene, const std::string& folder)
+{
+    Json lights = Json::array();
+    for (const Light& light : scene.lights)
+        lights.push_back(written(light));
+    const Json json{
+        {"reflectance_scene", sceneFormatVersion},
+        {"mesh", isStockMesh(scene.meshFile) ? scene.meshFile : relativeTo(folder, scene.meshFile)},
+        {"camera",
+         {{"eye", array(scene.camera.eye)},
+          {"target", array(scene.camera.target)},
+          {"up", array(scene.camera.up)},
+          {"field_of_view", scene.camera.fieldOfView}}},
+        {"lights", lights},
+        {"environment", written(scene.environment, folder)},
+        {"background",
+         {{"kind", nameOf(backgroundKinds, scene.background.kind)}, {"color", array(scene.background.color)}}},
+        {"surface", written(scene.surface)},
+        {"sensor", {{"exposure", scene.sensor.exposure}}}};
+    return json.dump(2) + "\n";
+}
+
+Result<Scene> parseScene(std::string_view text, const std::string& file, const std::string& folder)
+{
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const auto position = std::min<std::size_t>(error.byte, text.size());
+        const long line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(position), '\n');
+        return Error{"not a JSON scene: a comma, bracket or quote is wrong here", file, line};
+    }
+    Scene scene = defaultScene();
+    std::optional<std::string> problem;
+    readScene(ObjectReader(json, "scene", problem), scene, folder);
+    if (problem)
+        return Error{*problem, file};
+    return scene;
+}
+
+Result<Scene> loadScene(const std::string& path)
+{
+    const auto text = readWholeFile(path);
+    if (!text)
+        return text.error();
+    return parseScene(*text, path, fs::path(path).parent_path().string());
+}
+
+Result<void> saveScene(const Scene& scene, const std::string& path)
+{
+    return writeAtomically(path, sceneText(scene, fs::path(path).parent_path().string()));
+}
+
+} // namespace reflectance
