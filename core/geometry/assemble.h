@@ -1,0 +1,12 @@
+// From checked triangles and their corner normals to the Mesh that is drawn.
+#pragma once
+
+#include "core/geometry/normals.h"
+
+namespace reflectance {
+
+/// Centred and scaled in double, vertices split where normals differ. Fills the report's vertex counts, area and bounds.
+[[nodiscard]] Mesh assembled(const PolygonSoup& soup, const TriangleList& list,
+                             const CornerNormals& normals, MeshReport& report);
+
+} // namespace reflectance

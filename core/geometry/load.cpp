@@ -1,0 +1,167 @@
+#include "core/geometry/load.h"
+
+#include "core/base/embedded.h"
+#include "core/base/text.h"
+#include "core/geometry/assemble.h"
+#include "core/geometry/file_bytes.h"
+#include "core/geometry/readers.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <new>
+
+namespace reflectance {
+namespace {
+
+/// Indices have 32 bits; a larger file would also need more memory than most computers have.
+constexpr std::size_t largestFile = 4'000'000'000;
+
+constexpr std::string_view stockFolder = "meshes/";
+constexpr std::string_view stockExtension = ".obj";
+
+class Stopwatch {
+public:
+    double lap()
+    {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> passed = now - start_;
+        start_ = now;
+        return passed.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string extensionOf(const std::string& name)
+{
+    const std::string extension = std::filesystem::path(name).extension().string();
+    return extension.empty() ? extension : lowered(extension).substr(1);
+}
+
+Error noFaces(const MeshReport& report, const std::string& file)
+{
+    std::string text = "has no usable faces";
+    for (const DroppedFaces& dropped : report.dropped)
+        text += "; " + dropped.reason + " (" + std::to_string(dropped.count) + " times)";
+    if (report.degenerateTriangles > 0)
+        text += "; " + std::to_string(report.degenerateTriangles) + " triangles have no area";
+    if (report.fileFaces == 0)
+        text += report.fileVertices == 0 ? "; nor does it have vertices" : "; it lists only points";
+    return {text + "; choose a mesh with triangles or polygons", file};
+}
+
+/// Says why a mesh looks faceted when its file asks for it.
+void noteFlatShading(const TriangleList& list, MeshReport& report)
+{
+    const auto isFlat = [](const Mesh::Triangle& n) { return n[0] == n[1] && n[1] == n[2]; };
+    constexpr std::size_t fewTriangles = 100; // a cube has flat faces by nature
+    if (list.normals.size() >= fewTriangles && report.cornersWithFileNormal == 3 * list.normals.size() &&
+        std::all_of(list.normals.begin(), list.normals.end(), isFlat))
+        report.notes.push_back("the file gives every face one normal, so the surface looks faceted; computing the normals "
+                               "anew (--smooth) rounds it");
+}
+
+void warnOfNormals(const MeshReport& report, Warnings& warnings)
+{
+    if (report.cornersWithBadNormal > 0)
+        warnings.add("normals that are zero, not finite or not in the file were computed anew", 0,
+                     std::to_string(report.cornersWithBadNormal) + " corners");
+    if (report.cornersWithoutNormal > 0 && report.cornersWithFileNormal > 0)
+        warnings.add("some faces have no normals; they were computed", 0,
+                     std::to_string(report.cornersWithoutNormal) + " corners");
+    if (report.flippedTriangles > 0)
+        warnings.add("triangles wound against their normals were turned over", 0,
+                     std::to_string(report.flippedTriangles) + " triangles");
+}
+
+Result<LoadedMesh> meshFrom(std::string_view bytes, const std::string& name, const LoadOptions& options)
+{
+    MeshReport report;
+    ReadContext context{name, {}, options.progress, options.cancel};
+    Stopwatch watch;
+    auto soup = readSoup(bytes, extensionOf(name), context);
+    if (!soup)
+        return soup.error();
+    report.format = soup->format;
+    report.notes = soup->notes;
+    report.readSeconds = watch.lap();
+
+    auto list = trianglesOf(*soup, context, report);
+    if (!list)
+        return list.error();
+    if (list->vertices.empty())
+        return noFaces(report, name);
+    report.triangulateSeconds = watch.lap();
+
+    CornerNormals normals = fileNormals(*soup, *list, report);
+    warnOfNormals(report, context.warnings);
+    if (options.recomputeNormals)
+        normals.assign(normals.size(), {});
+    else
+        noteFlatShading(*list, report);
+    smoothMissingNormals(*soup, *list, options.creaseAngleDegrees, normals, report);
+    auto mesh = std::make_shared<Mesh>(assembled(*soup, *list, normals, report));
+    mesh->name = std::filesystem::path(name).stem().string();
+    report.normalsSeconds = watch.lap();
+    report.warnings = context.warnings.list();
+    return LoadedMesh{std::move(mesh), std::move(report)};
+}
+
+} // namespace
+
+std::size_t MeshReport::droppedFaces() const
+{
+    std::size_t sum = 0;
+    for (const DroppedFaces& reason : dropped)
+        sum += reason.count;
+    return sum;
+}
+
+Result<LoadedMesh> readMesh(std::string_view bytes, const std::string& name, const LoadOptions& options)
+{
+    try {
+        return meshFrom(bytes, name, options);
+    } catch (const std::bad_alloc&) {
+        return Error{"does not fit into the memory; simplify it or close other programs", name};
+    }
+}
+
+Result<LoadedMesh> loadMesh(const std::string& path, const LoadOptions& options)
+{
+    try {
+        const auto bytes = fileBytes(path, largestFile);
+        if (!bytes)
+            return bytes.error();
+        return meshFrom(bytes->view(), path, options);
+    } catch (const std::bad_alloc&) {
+        return Error{"does not fit into the memory; simplify it or close other programs", path};
+    }
+}
+
+std::vector<std::string> stockMeshNames()
+{
+    std::vector<std::string> names;
+    for (const EmbeddedFile& file : embeddedFiles())
+        if (file.name.starts_with(stockFolder) && file.name.ends_with(stockExtension))
+            names.emplace_back(file.name.substr(stockFolder.size(), file.name.size() - stockFolder.size() - stockExtension.size()));
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Result<LoadedMesh> loadStockOrFile(const std::string& nameOrPath, const LoadOptions& options)
+{
+    const std::vector<std::string> names = stockMeshNames();
+    if (std::find(names.begin(), names.end(), nameOrPath) != names.end()) {
+        const std::string file = std::string(stockFolder) + nameOrPath + std::string(stockExtension);
+        return readMesh(embeddedText(file), file, options);
+    }
+    auto loaded = loadMesh(nameOrPath, options);
+    const bool isPlainName = nameOrPath.find_first_of("./") == std::string::npos;
+    if (!loaded && isPlainName && !std::filesystem::exists(nameOrPath))
+        return Error{"is neither a file nor one of the program's meshes (" + joined(names) + ")", nameOrPath};
+    return loaded;
+}
+
+} // namespace reflectance

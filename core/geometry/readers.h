@@ -1,0 +1,43 @@
+// The checked readers, one per format. They trust nothing: no index, no count, no length. What can be kept is kept and
+// the rest is counted in the warnings; an Error means that nothing of use could be read.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/geometry/polygon_soup.h"
+#include "core/geometry/warnings.h"
+
+#include <atomic>
+#include <string_view>
+
+namespace reflectance {
+
+struct ReadContext {
+    std::string file; ///< as errors name it
+    Warnings warnings;
+    std::atomic<double>* progress = nullptr;   ///< 0 .. 1, of reading alone
+    const std::atomic<bool>* cancel = nullptr; ///< set by another thread to stop
+
+    /// To be called now and then; false when reading is to stop.
+    [[nodiscard]] bool goOn(double done) const
+    {
+        if (progress)
+            progress->store(done, std::memory_order_relaxed);
+        return !(cancel && cancel->load(std::memory_order_relaxed));
+    }
+
+    [[nodiscard]] Error stopped() const { return {"reading was stopped", file, 0}; }
+};
+
+/// Wavefront OBJ: v, vn and f with 1-based or negative indices; everything else is stepped over.
+Result<PolygonSoup> readObj(std::string_view text, ReadContext& context);
+/// Stanford PLY: ascii, binary little-endian and binary big-endian; any scalar types, elements in any order.
+Result<PolygonSoup> readPly(std::string_view bytes, ReadContext& context);
+/// Geomview OFF in text, with the prefixes ST, C and N.
+Result<PolygonSoup> readOff(std::string_view text, ReadContext& context);
+/// STL, ascii and binary; equal positions become one vertex.
+Result<PolygonSoup> readStl(std::string_view bytes, ReadContext& context);
+
+/// Finds out the format from the contents, `extension` ("obj") breaking the tie, and reads.
+Result<PolygonSoup> readSoup(std::string_view bytes, std::string_view extension, ReadContext& context);
+
+} // namespace reflectance

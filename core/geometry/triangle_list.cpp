@@ -1,0 +1,162 @@
+#include "core/geometry/triangle_list.h"
+
+#include "core/geometry/triangulate.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace reflectance {
+namespace {
+
+using Index = PolygonSoup::Index;
+
+/// Lengths beyond which squares overflow: such a vertex counts as infinite.
+constexpr double farthest = 1e300;
+
+bool isFinite(const Vec3d& p)
+{
+    return std::fabs(p.x) < farthest && std::fabs(p.y) < farthest && std::fabs(p.z) < farthest;
+}
+
+double largest(const Vec3d& v)
+{
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+class FaceSorter {
+public:
+    FaceSorter(const PolygonSoup& soup, ReadContext& context, MeshReport& report)
+        : soup_(soup), context_(context), report_(report), hasNormals_(!soup.cornerNormals.empty())
+    {
+        list_.vertices.reserve(soup.corners.size() > 2 * soup.faceCount() ? soup.corners.size() - 2 * soup.faceCount() : 0);
+        list_.faceNormals.reserve(list_.vertices.capacity());
+        if (hasNormals_)
+            list_.normals.reserve(list_.vertices.capacity());
+    }
+
+    void add(std::size_t face)
+    {
+        gather(face);
+        if (const std::string_view reason = whyUnusable(); !reason.empty())
+            drop(reason, face);
+        else if (places_.size() == 3)
+            addTriangle({0, 1, 2}, face);
+        else
+            addPolygon(face);
+    }
+
+    TriangleList take() { return std::move(list_); }
+
+private:
+    /// The places of the face's corners among all corners, neighbours that repeat a vertex left out.
+    void gather(std::size_t face)
+    {
+        places_.clear();
+        for (Index place = soup_.faceBegin(face); place < soup_.faceEnds[face]; ++place)
+            if (places_.empty() || soup_.corners[place] != soup_.corners[places_.back()])
+                places_.push_back(place);
+        while (places_.size() > 1 && soup_.corners[places_.front()] == soup_.corners[places_.back()])
+            places_.pop_back();
+    }
+
+    std::string_view whyUnusable() const
+    {
+        for (const Index place : places_)
+            if (soup_.corners[place] >= soup_.positions.size())
+                return "a face uses a vertex that the file does not have";
+        for (const Index place : places_)
+            if (!isFinite(soup_.positions[soup_.corners[place]]))
+                return "a face uses a vertex that is not a finite point";
+        const bool isEdge = places_.size() < 3 || (places_.size() == 3 && vertex(0) == vertex(2));
+        return isEdge ? "a face has fewer than three different corners" : "";
+    }
+
+    void drop(std::string_view reason, std::size_t face)
+    {
+        context_.warnings.add(reason, soup_.lineOf(face));
+        const auto known = std::find_if(report_.dropped.begin(), report_.dropped.end(),
+                                        [reason](const DroppedFaces& d) { return d.reason == reason; });
+        if (known == report_.dropped.end())
+            report_.dropped.push_back({std::string(reason), 1});
+        else
+            ++known->count;
+    }
+
+    void addPolygon(std::size_t face)
+    {
+        polygon_.clear();
+        for (std::size_t i = 0; i < places_.size(); ++i)
+            polygon_.push_back(soup_.positions[vertex(i)]);
+        for (const auto& corners : triangulated(polygon_))
+            addTriangle(corners, face);
+    }
+
+    void addTriangle(const Mesh::Triangle& corners, std::size_t face)
+    {
+        const Mesh::Triangle v{vertex(corners[0]), vertex(corners[1]), vertex(corners[2])};
+        const Vec3d normal = faceNormal(soup_.positions[v[0]], soup_.positions[v[1]], soup_.positions[v[2]]);
+        if (normal == Vec3d()) {
+            ++report_.degenerateTriangles;
+            context_.warnings.add("a triangle without area was left out", soup_.lineOf(face));
+            return;
+        }
+        list_.vertices.push_back(v);
+        list_.faceNormals.push_back(normal);
+        if (hasNormals_)
+            list_.normals.push_back({normalAt(corners[0]), normalAt(corners[1]), normalAt(corners[2])});
+    }
+
+    Index vertex(std::size_t corner) const { return soup_.corners[places_[corner]]; }
+    Index normalAt(std::size_t corner) const { return soup_.cornerNormals[places_[corner]]; }
+
+    const PolygonSoup& soup_;
+    ReadContext& context_;
+    MeshReport& report_;
+    bool hasNormals_;
+    TriangleList list_;
+    std::vector<Index> places_;
+    std::vector<Vec3d> polygon_;
+};
+
+} // namespace
+
+Vec3d faceNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c)
+{
+    const Vec3d ab = b - a;
+    const Vec3d ac = c - a;
+    const Vec3d bc = c - b;
+    const double size = std::max({largest(ab), largest(ac), largest(bc)});
+    if (!(size > 0.0))
+        return {};
+    // Divided by their size first: squares of 1e-200 would vanish. The two shorter edges meet at the widest angle,
+    // where the cross product is best conditioned; all three pairs turn the same way.
+    const Vec3d u = ab / size;
+    const Vec3d w = ac / size;
+    const Vec3d t = bc / size;
+    const double uu = dot(u, u);
+    const double ww = dot(w, w);
+    const double tt = dot(t, t);
+    const Vec3d normal = ww >= uu && ww >= tt ? cross(u, t) : (tt >= uu ? cross(u, w) : cross(w, t));
+    // Each coordinate is known to half a unit in its last place: the cross product of edges about as long as 1 is known
+    // to this much.
+    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::max({largest(a), largest(b), largest(c)}) / size;
+    const double sine = std::sqrt(dot(normal, normal));
+    return sine > rounding ? normalized(normal) : Vec3d();
+}
+
+Result<TriangleList> trianglesOf(const PolygonSoup& soup, ReadContext& context, MeshReport& report)
+{
+    FaceSorter sorter(soup, context, report);
+    for (std::size_t face = 0; face < soup.faceCount(); ++face) {
+        if (face % 65536 == 0 && context.cancel && context.cancel->load(std::memory_order_relaxed))
+            return context.stopped();
+        sorter.add(face);
+    }
+    TriangleList list = sorter.take();
+    report.fileVertices = soup.positions.size();
+    report.fileFaces = soup.faceCount();
+    report.triangles = list.vertices.size();
+    return list;
+}
+
+} // namespace reflectance

@@ -1,0 +1,47 @@
+#include "core/geometry/warnings.h"
+
+namespace reflectance {
+namespace {
+
+constexpr std::size_t shownOfEachKind = 3;
+
+} // namespace
+
+Warnings::Kind& Warnings::find(std::string_view text)
+{
+    const auto [place, isNew] = places_.try_emplace(std::string(text), kinds_.size());
+    if (isNew)
+        kinds_.push_back({std::string(text), {}, 0});
+    return kinds_[place->second];
+}
+
+void Warnings::add(std::string_view kind, long line, std::string_view detail)
+{
+    Kind& known = find(kind);
+    ++known.count;
+    if (known.count > shownOfEachKind)
+        return;
+    std::string text(kind);
+    if (!detail.empty())
+        text.append(": ").append(detail);
+    known.first.push_back({std::move(text), line});
+}
+
+std::size_t Warnings::count(std::string_view kind) const
+{
+    const auto place = places_.find(kind);
+    return place == places_.end() ? 0 : kinds_[place->second].count;
+}
+
+std::vector<MeshWarning> Warnings::list() const
+{
+    std::vector<MeshWarning> all;
+    for (const Kind& kind : kinds_) {
+        all.insert(all.end(), kind.first.begin(), kind.first.end());
+        if (kind.count > kind.first.size())
+            all.push_back({kind.text + ": " + std::to_string(kind.count - kind.first.size()) + " more", 0});
+    }
+    return all;
+}
+
+} // namespace reflectance
