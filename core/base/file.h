@@ -1,0 +1,20 @@
+// Whole files in, whole files out: a reader that bounds its memory, a writer that leaves nothing half-written.
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace reflectance {
+
+/// The bytes of a regular file. Refuses folders, devices and pipes (they may never end) and files above `limit` bytes.
+[[nodiscard]] Result<std::string> readWholeFile(const std::string& path, std::uintmax_t limit = std::uintmax_t{4} << 30U);
+
+/// Writes into a new file of the same folder, waits until it is on disk, then renames it to `path`: readers see the old
+/// file or the new one. On failure the old file stays and no other remains. A link is followed; a device such as
+/// /dev/null is written directly.
+[[nodiscard]] Result<void> writeAtomically(const std::string& path, std::string_view bytes);
+
+} // namespace reflectance
