@@ -1,0 +1,102 @@
+// What every reflectance model promises, whatever its formula: loops over the catalogue, so a new model is held to them.
+#include "core/math/lobe.h"
+#include "tests/models/evaluated.h"
+#include "tests/models/random_cases.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace reflectance::test {
+namespace {
+
+class Invariants : public testing::TestWithParam<std::tuple<std::string, Precision>> {
+protected:
+    [[nodiscard]] std::vector<OracleCase> cases() const { return randomCases(std::get<0>(GetParam()), 200); }
+    [[nodiscard]] Precision precision() const { return std::get<1>(GetParam()); }
+    [[nodiscard]] Vec3d ask(const OracleCase& c) const { return evaluated(c, precision()); }
+};
+
+bool isFinite(const Vec3d& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+TEST_P(Invariants, ValuesAreFinite)
+{
+    for (const OracleCase& c : cases())
+        ASSERT_TRUE(isFinite(ask(c)));
+}
+
+TEST_P(Invariants, DefaultsAreNeverNegative)
+{
+    for (OracleCase c : cases()) {
+        c.parameters.clear();
+        const Vec3d value = ask(c);
+        ASSERT_GE(std::min({value.x, value.y, value.z}), 0.0);
+    }
+}
+
+TEST_P(Invariants, TwiceTheLightIsTwiceTheValue)
+{
+    for (OracleCase c : cases()) {
+        const Vec3d once = ask(c);
+        c.I = 2.0 * c.I;
+        const Vec3d twice = ask(c);
+        // Doubling is exact in binary wherever nothing is subnormal.
+        const double smallest = precision() == Precision::Double ? 0x1p-1020 : 0x1p-120;
+        ASSERT_LE(largestOf(twice - 2.0 * once), smallest);
+    }
+}
+
+TEST_P(Invariants, LightsSuperpose)
+{
+    const auto all = cases();
+    for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+        OracleCase other = all[i];
+        other.L = all[i + 1].L;
+        other.I = all[i + 1].I;
+        Observation both = all[i].observation();
+        both.lights.push_back(other.observation().lights[0]);
+        const Vec3d a = ask(all[i]);
+        const Vec3d b = ask(other);
+        const Vec3d expected = precision() == Precision::Double ? a + b : Vec3d(Vec3f(a) + Vec3f(b));
+        ASSERT_EQ(evaluated(all[i].model, all[i].parameters, both, precision()), expected);
+    }
+}
+
+TEST_P(Invariants, TurningEverythingChangesNothing)
+{
+    // Two mirrors make a rotation.
+    const Vec3d first = normalized({1, 2, -3});
+    const Vec3d second = normalized({-2, 0.5, 1});
+    const auto turned = [&](const Vec3d& v) { return mirrored(second, mirrored(first, normalized(v))); };
+    const double eps = unitRoundoff(precision());
+    for (const OracleCase& c : cases()) {
+        OracleCase r = c;
+        r.N = turned(c.N);
+        r.L = turned(c.L);
+        r.V = turned(c.V);
+        const Vec3d difference = ask(r) - ask(c);
+        const OracleAnswer truth = oracle(c, eps);
+        // Both values stand within a few (kappa + 1) eps of the truth; turning rounds the inputs once more.
+        const auto allowed = [&](double s, double v) { return 8.0 * eps * (s + std::fabs(v)) + 1e-30; };
+        ASSERT_LE(std::fabs(difference.x), allowed(truth.sensitivity.x, truth.value.x));
+        ASSERT_LE(std::fabs(difference.y), allowed(truth.sensitivity.y, truth.value.y));
+        ASSERT_LE(std::fabs(difference.z), allowed(truth.sensitivity.z, truth.value.z));
+    }
+}
+
+std::vector<std::string> allIds()
+{
+    std::vector<std::string> ids;
+    for (const Model& model : catalogue())
+        ids.push_back(model.id());
+    return ids;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Models, Invariants, testing::Combine(testing::ValuesIn(allIds()), testing::ValuesIn(corePrecisions)),
+    [](const auto& given) { return std::get<0>(given.param) + "_" + std::string(nameOf(std::get<1>(given.param))); });
+
+} // namespace
+} // namespace reflectance::test

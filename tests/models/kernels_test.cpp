@@ -1,0 +1,124 @@
+// The kernels themselves: instruction sets agree, and a batch's length never changes a value.
+#include "core/math/angle.h"
+#include "core/reflectance/kernel_tables.h"
+#include "core/reflectance/shade_block.h"
+#include "tests/models/evaluated.h"
+#include "tests/models/random_cases.h"
+
+#include <cstring>
+#include <gtest/gtest.h>
+
+namespace reflectance::test {
+namespace {
+
+struct Lanes {
+    const char* name;
+    const Kernel<float>* kernels;
+};
+
+/// Those that this processor runs; the widest comes last.
+std::vector<Lanes> lanesHere()
+{
+    std::vector<Lanes> all{{"sse2", lanesKernelsSse2()}};
+    if (std::strcmp(lanesName(), "avx2") == 0)
+        all.push_back({"avx2", lanesKernelsAvx2()});
+    return all;
+}
+
+/// Cases that share one set of parameters, as a batch does.
+std::vector<OracleCase> batchOf(const std::string& model, std::size_t count)
+{
+    std::vector<OracleCase> cases = randomCases(model, count);
+    for (OracleCase& c : cases)
+        c.parameters = cases[1].parameters;
+    return cases;
+}
+
+template <class T> void load(const std::vector<OracleCase>& cases, ShadeBlock<T>& block)
+{
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        block.N.set(i, normalized(cases[i].N));
+        block.L.set(i, normalized(cases[i].L));
+        block.V.set(i, normalized(cases[i].V));
+        block.I.set(i, cases[i].I);
+        block.lightDisc[i] = static_cast<T>(squaredChord(cases[i].radius));
+    }
+    block.sum.fill({});
+}
+
+TEST(Kernels, EveryInstructionSetStaysWithinTheBound)
+{
+    for (const Lanes& lanes : lanesHere())
+        for (std::size_t m = 0; m < catalogue().size(); ++m) {
+            const Model& model = catalogue()[m];
+            const auto cases = batchOf(model.id(), blockSize);
+            ShadeBlock<float> block;
+            load(cases, block);
+            lanes.kernels[m].shade(flatValues(model.text, cases[0].parameters).data(), block.batch(blockSize));
+            for (std::size_t i = 0; i < blockSize; ++i)
+                ASSERT_LE(ratioToBound(cases[i], Vec3d(block.sum[i]), false), 1.0) << lanes.name << ' ' << model.id();
+        }
+}
+
+TEST(Kernels, TailsEqualWholeBatchesBitForBit)
+{
+    for (const Lanes& lanes : lanesHere())
+        for (std::size_t m = 0; m < catalogue().size(); ++m) {
+            const auto cases = batchOf(catalogue()[m].id(), 64);
+            const auto values = flatValues(catalogue()[m].text, cases[0].parameters);
+            ShadeBlock<float> whole;
+            load(cases, whole);
+            lanes.kernels[m].shade(values.data(), whole.batch(64));
+            for (std::size_t count = 1; count <= 17; ++count) {
+                ShadeBlock<float> part;
+                load(cases, part);
+                lanes.kernels[m].shade(values.data(), part.batch(count));
+                for (std::size_t i = 0; i < count; ++i)
+                    ASSERT_EQ(part.sum[i], whole.sum[i]) << lanes.name << ' ' << count;
+                ASSERT_EQ(part.sum[count], Vec3f()) << "written past the end";
+            }
+        }
+}
+
+/// A light that tells where it comes from: red grows along x, green along y, blue along z.
+template <class T> Vec3<T> colorOfDirection(const void* scale, const Vec3<T>& direction)
+{
+    return (direction + Vec3<T>(T(1))) * static_cast<T>(*static_cast<const double*>(scale));
+}
+
+TEST(Kernels, SurroundingsAreSeenAlongTheMirroredView)
+{
+    const double scale = 0.5;
+    const std::vector<double> reflectance{0.75};
+    const auto index = static_cast<std::size_t>(*findModel("mirror") - catalogue().data());
+    const auto cases = randomCases("mirror", 53);
+    ShadeBlock<double> truth;
+    load(cases, truth);
+    doubleKernels()[index].environment(reflectance.data(), truth.environmentBatch(53, {colorOfDirection<double>, &scale}));
+    std::vector<Lanes> all = lanesHere();
+    all.push_back({"float", floatKernels()});
+    for (const Lanes& kernels : all) {
+        ShadeBlock<float> block;
+        load(cases, block);
+        kernels.kernels[index].environment(reflectance.data(), block.environmentBatch(53, {colorOfDirection<float>, &scale}));
+        for (std::size_t i = 0; i < 53; ++i) {
+            const Vec3d N = normalized(cases[i].N);
+            const Vec3d V = normalized(cases[i].V);
+            const Vec3d expected = 0.375 * (2.0 * dot(N, V) * N - V + Vec3d(1, 1, 1));
+            // R is rounded a few times; the light moves as much as R.
+            ASSERT_LE(largestOf(truth.sum[i] - expected), 8.0 * 0x1p-53);
+            ASSERT_LE(largestOf(Vec3d(block.sum[i]) - expected), 8.0 * 0x1p-24) << kernels.name;
+        }
+    }
+}
+
+TEST(Kernels, OnlyTheMirrorLooksAround)
+{
+    for (const Model& model : catalogue()) {
+        EXPECT_EQ(model.exact.environment != nullptr, model.text.usesEnvironment) << model.id();
+        EXPECT_EQ(model.lanes.environment != nullptr, model.text.usesEnvironment) << model.id();
+    }
+}
+
+} // namespace
+} // namespace reflectance::test

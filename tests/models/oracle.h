@@ -1,0 +1,41 @@
+// What the lecture's formulas give, to 50 digits: written from their angles, independent of the shipped texts, and with
+// the sensitivity to rounded inputs that any arithmetic has to live with.
+#pragma once
+
+#include "core/math/vec.h"
+#include "core/reflectance/catalogue.h"
+#include "core/reflectance/observation.h"
+
+#include <array>
+#include <string>
+
+namespace reflectance::test {
+
+/// One row with one light, and the parameters by name.
+struct OracleCase {
+    std::string model;
+    ParameterValues parameters;
+    Vec3d N, L, V; ///< any length
+    Vec3d I{1.0, 1.0, 1.0};
+    double radius = 0.0; ///< of the light, degrees
+
+    [[nodiscard]] Observation observation() const { return {N, V, {{L, I, radius}}}; }
+};
+
+struct OracleAnswer {
+    Vec3d value;     ///< the true value, rounded to double
+    Vec3d remainder; ///< what that rounding left: value + remainder has 32 digits
+    /// How far the value moves per unit roundoff: the sum over all inputs of |change| / eps, where each component of N, L
+    /// and V is moved by eps of the vector's length, and I, radius and parameters by eps of themselves. kappa |value|.
+    Vec3d sensitivity;
+};
+
+/// `eps` is the unit roundoff of the arithmetic under test: 2^-53 or 2^-24.
+[[nodiscard]] OracleAnswer oracle(const OracleCase& c, double eps);
+
+/// |got - true| / (32 (kappa + 1) eps |true| + floor), the largest of the three channels. The floor is the smallest
+/// normal number of the arithmetic times the highlight's peak: below it, lanes and GPUs flush to zero.
+/// In float, |N.L| < 4 eps cannot be told from 0: 32 eps |I| is added there.
+[[nodiscard]] double ratioToBound(const OracleCase& c, const Vec3d& got, bool isDouble);
+
+} // namespace reflectance::test

@@ -1,0 +1,91 @@
+#include "tests/models/random_cases.h"
+
+#include "core/math/lobe.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace reflectance::test {
+namespace {
+
+class Dice {
+public:
+    explicit Dice(std::uint64_t seed) : engine_(seed) {}
+
+    /// std distributions differ between libraries; this does not.
+    double uniform(double low, double high)
+    {
+        return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+    }
+    double logUniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+    Vec3d direction()
+    {
+        const double z = uniform(-1.0, 1.0);
+        const double azimuth = uniform(0.0, 2.0 * std::numbers::pi);
+        const double r = std::sqrt(1.0 - z * z);
+        return {r * std::cos(azimuth), r * std::sin(azimuth), z};
+    }
+    Vec3d above(const Vec3d& N)
+    {
+        const Vec3d d = direction();
+        return dot(N, d) < 0.0 ? -d : d;
+    }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+double randomExponent(Dice& dice, std::size_t row)
+{
+    if (row % 20 == 0)
+        return 0.0;
+    const double n = dice.logUniform(0.1, 1e7);
+    return row % 2 == 0 ? std::round(n) : n;
+}
+
+void setDirections(Dice& dice, std::size_t row, OracleCase& c)
+{
+    constexpr double rightAngle = std::numbers::pi / 2;
+    c.N = dice.direction();
+    c.L = row % 10 == 0 ? dice.direction() : dice.above(c.N);
+    if (row % 4 == 1)
+        c.L = tilted(c.N, rightAngle - dice.logUniform(1e-12, 0.1), dice.uniform(0.0, 6.3));
+    c.V = dice.above(c.N);
+    if (row % 2 == 0)
+        c.V = tilted(normalized(mirrored(c.N, c.L)), dice.logUniform(1e-8, 1.6), dice.uniform(0.0, 6.3));
+    c.N = dice.logUniform(1e-200, 1e200) * c.N;
+    c.L = dice.logUniform(1e-200, 1e200) * c.L;
+    c.V = dice.logUniform(1e-200, 1e200) * c.V;
+}
+
+} // namespace
+
+Vec3d tilted(const Vec3d& v, double angle, double azimuth)
+{
+    const Vec3d helper = std::fabs(v.x) < 0.6 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
+    const Vec3d across = normalized(cross(v, helper));
+    const Vec3d other = cross(v, across);
+    return std::cos(angle) * v + std::sin(angle) * (std::cos(azimuth) * across + std::sin(azimuth) * other);
+}
+
+std::vector<OracleCase> randomCases(const std::string& model, std::size_t count)
+{
+    Dice dice(20240607);
+    std::vector<OracleCase> cases(count);
+    for (std::size_t row = 0; row < count; ++row) {
+        OracleCase& c = cases[row];
+        c.model = model;
+        setDirections(dice, row, c);
+        c.I = {dice.logUniform(1e-3, 1e3), dice.logUniform(1e-3, 1e3), dice.logUniform(1e-3, 1e3)};
+        c.radius = row % 5 == 0 ? 0.0 : dice.logUniform(1e-6, 90.0);
+        std::vector<double> K(9);
+        for (double& entry : K)
+            entry = dice.uniform(-0.4, 1.0);
+        c.parameters = {{"kd", {dice.uniform(0.0, 1.5)}}, {"reflectance", {dice.uniform(0.0, 1.5)}},
+                        {"ks", {dice.uniform(0.0, 2.0)}}, {"n", {randomExponent(dice, row)}}, {"K", K}};
+    }
+    return cases;
+}
+
+} // namespace reflectance::test
