@@ -36,6 +36,7 @@ public:
     [[nodiscard]] unsigned developedTexture() const; ///< RGBA8, sRGB-encoded, row 0 at the bottom: for the window
     [[nodiscard]] Image readLinear();                ///< the linear picture before the sensor
     [[nodiscard]] ViewSamples readSamples();         ///< the N and P that GL used, for GL = CPU
+    void invalidateShading();                        ///< the next render() shades again even if nothing changed (for timing)
     void finish();                                   ///< waits until all drawing is done (for timing)
 
     /// The model at given directions, in GLSL; same rows as reflectance::evaluate.

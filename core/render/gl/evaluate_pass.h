@@ -1,0 +1,38 @@
+// A model at given directions, in GLSL: (row, light) pairs are laid out in float textures and shaded by one pass.
+#pragma once
+
+#include "core/reflectance/catalogue.h"
+#include "core/reflectance/observation.h"
+#include "core/render/gl/gl_program.h"
+#include "core/render/gl/render_target.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace reflectance {
+
+class EvaluatePass {
+public:
+    explicit EvaluatePass(const Gl& gl);
+
+    /// As reflectance::evaluate: directions are normalised in double and rounded once, then all is float, the sum over
+    /// a row's lights too.
+    [[nodiscard]] Result<std::vector<Vec3d>> run(const Model& model, std::span<const double> values,
+                                                 std::span<const Observation> rows);
+
+    [[nodiscard]] std::size_t programs() const { return programs_.size(); }
+
+private:
+    struct Grid;
+
+    void drawChunk(const GlProgram& program, Grid& grid, std::vector<Vec3f>& totals) const;
+
+    const Gl* gl_;
+    GlVertexArray noVertices_;
+    RenderTarget result_;
+    GlTexture inputs_[4];
+    GlProgramCache programs_;
+};
+
+} // namespace reflectance

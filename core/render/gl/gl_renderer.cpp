@@ -1,0 +1,259 @@
+#include "core/render/gl/gl_renderer.h"
+
+#include "core/base/check.h"
+#include "core/base/text.h"
+#include "core/render/gl/evaluate_pass.h"
+#include "core/render/gl/gl_functions.h"
+#include "core/render/gl/sample_reader.h"
+#include "core/render/gl/sensor_pass.h"
+#include "core/render/gl/shading_pass.h"
+#include "core/render/gl/visibility_pass.h"
+
+#include <optional>
+#include <utility>
+
+namespace reflectance {
+namespace {
+
+/// What the kept samples depend on.
+struct ViewInputs {
+    std::shared_ptr<const Mesh> mesh;
+    Camera camera;
+    RenderSettings settings;
+
+    friend bool operator==(const ViewInputs&, const ViewInputs&) = default;
+};
+
+/// The state that the passes rely on; a window's own drawing may have left anything.
+void prepareState(const Gl& gl)
+{
+    for (const GLenum feature : {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER,
+                                 GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD})
+        gl.Disable(feature);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    gl.FrontFace(GL_CCW);
+    gl.BindSampler(0, 0);
+    gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl.PixelStorei(GL_PACK_ROW_LENGTH, 0);
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+}
+
+void leaveState(const Gl& gl)
+{
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl.BindVertexArray(0);
+    gl.UseProgram(0);
+    gl.ActiveTexture(GL_TEXTURE0);
+}
+
+} // namespace
+
+struct GlRenderer::State {
+    State(std::unique_ptr<GlFunctions> loaded, VisibilityPass first, SensorPass last)
+        : functions(std::move(loaded)), mesh(functions->gl()), visibility(std::move(first)), shading(functions->gl()),
+          sensor(std::move(last)), reader(functions->gl())
+    {
+    }
+
+    /// Refuses what the driver cannot hold, before anything is allocated.
+    [[nodiscard]] Result<void> fits(const RenderSettings& settings) const;
+    void allocate(const RenderSettings& settings);
+    void see(const ViewInputs& view);
+    [[nodiscard]] Result<void> shade(const ShadingInputs& inputs);
+    void develop(const Sensor& settings);
+    /// Runs the passes whose inputs changed.
+    [[nodiscard]] Result<void> update(const Scene& scene, const RenderSettings& settings);
+
+    /// Leaves GL as a window expects it. What `done` says goes before what the driver says about it.
+    template <class T> [[nodiscard]] Result<T> closed(Result<T> done)
+    {
+        leaveState(functions->gl());
+        work.programLinks = 2 + shading.programs() + (evaluation ? evaluation->programs() : 0);
+        const auto complaint = functions->complaint();
+        return done && !complaint ? Result<T>(complaint.error()) : std::move(done);
+    }
+
+    std::unique_ptr<GlFunctions> functions; // first in, last out: the passes return their names through it
+    MeshBuffers mesh;
+    VisibilityPass visibility;
+    ShadingPass shading;
+    SensorPass sensor;
+    SampleReader reader;
+    std::optional<EvaluatePass> evaluation; // made when first asked for
+    GlWork work;
+
+    // The inputs of the last run of each pass; none until it ran, and after a pass before it ran anew.
+    std::shared_ptr<const Mesh> uploaded;
+    std::optional<RenderSettings> allocated;
+    std::optional<ViewInputs> seen;
+    std::optional<ShadingInputs> shaded;
+    std::optional<Sensor> developed;
+};
+
+Result<void> GlRenderer::State::fits(const RenderSettings& s) const
+{
+    GLint limit = 0;
+    functions->gl().GetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    const long across = static_cast<long>(s.width) * s.samplesPerAxis;
+    const long down = static_cast<long>(s.height) * s.samplesPerAxis;
+    constexpr double bytesPerSample = 16 + 16 + 4; // N and flag, P and tag, depth
+    constexpr double bytesPerPixel = 16 + 4;       // linear, developed
+    constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
+    const double needed = static_cast<double>(across) * static_cast<double>(down) * bytesPerSample +
+                          static_cast<double>(s.width) * s.height * bytesPerPixel;
+    const std::string size = std::to_string(s.width) + "x" + std::to_string(s.height) + " with " +
+                             std::to_string(s.samplesPerAxis * s.samplesPerAxis) + " samples per pixel";
+    if (across > limit || down > limit)
+        return Error{size + " needs a texture of " + std::to_string(std::max(across, down)) + ", OpenGL here has " +
+                     std::to_string(limit) + "; use fewer samples or --backend cpu"};
+    if (needed > 2.0 * gibibyte)
+        return Error{size + " needs " + general(needed / gibibyte, 2) +
+                     " GiB on the graphics card, more than the 2 GiB allowed; use fewer samples or --backend cpu"};
+    return {};
+}
+
+void GlRenderer::State::allocate(const RenderSettings& settings)
+{
+    visibility.resize(settings);
+    if (!allocated || allocated->width != settings.width || allocated->height != settings.height) {
+        shading.resize(settings);
+        sensor.resize(settings);
+    }
+    allocated = settings;
+    seen.reset();
+    ++work.allocations;
+}
+
+void GlRenderer::State::see(const ViewInputs& view)
+{
+    if (uploaded != view.mesh) {
+        mesh.upload(*view.mesh);
+        uploaded = view.mesh;
+        ++work.meshUploads;
+    }
+    visibility.draw(mesh, view.camera);
+    ++work.visibilities;
+    seen = view;
+    shaded.reset();
+}
+
+Result<void> GlRenderer::State::shade(const ShadingInputs& inputs)
+{
+    shaded.reset();
+    developed.reset();
+    if (auto drawn = shading.draw(visibility.samples(), inputs, seen->camera, seen->settings); !drawn)
+        return drawn;
+    ++work.shadings;
+    shaded = inputs;
+    return {};
+}
+
+void GlRenderer::State::develop(const Sensor& settings)
+{
+    sensor.draw(shading.linear(), settings);
+    ++work.developments;
+    developed = settings;
+}
+
+Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings& settings)
+{
+    if (allocated != settings) {
+        if (auto fit = fits(settings); !fit)
+            return fit;
+        allocate(settings);
+    }
+    const ViewInputs view{scene.mesh, scene.camera, settings};
+    if (seen != view)
+        see(view);
+    const ShadingInputs inputs = shadingInputsOf(scene);
+    if (shaded != inputs) {
+        if (auto done = shade(inputs); !done)
+            return done;
+    }
+    if (developed != scene.sensor)
+        develop(scene.sensor);
+    return {};
+}
+
+GlRenderer::GlRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GlRenderer::GlRenderer(GlRenderer&&) noexcept = default;
+GlRenderer& GlRenderer::operator=(GlRenderer&&) noexcept = default;
+GlRenderer::~GlRenderer() = default;
+
+Result<GlRenderer> GlRenderer::create(GetProcAddress load)
+{
+    auto functions = GlFunctions::load(load);
+    if (!functions)
+        return functions.error();
+    const Gl& gl = (*functions)->gl();
+    auto visibility = VisibilityPass::create(gl);
+    if (!visibility)
+        return visibility.error();
+    auto sensor = SensorPass::create(gl);
+    if (!sensor)
+        return sensor.error();
+    auto state = std::make_unique<State>(*std::move(functions), *std::move(visibility), *std::move(sensor));
+    if (auto quiet = state->closed(Result<void>()); !quiet)
+        return quiet.error();
+    return GlRenderer(std::move(state));
+}
+
+Result<void> GlRenderer::render(const Scene& scene, const RenderSettings& settings)
+{
+    CHECK_EQ(scene.mesh != nullptr, true);
+    prepareState(state_->functions->gl());
+    return state_->closed(state_->update(scene, settings));
+}
+
+void GlRenderer::invalidateShading()
+{
+    state_->shaded.reset();
+}
+
+unsigned GlRenderer::developedTexture() const
+{
+    return state_->sensor.developed().texture(0);
+}
+
+Image GlRenderer::readLinear()
+{
+    return state_->reader.readImage(state_->shading.linear());
+}
+
+ViewSamples GlRenderer::readSamples()
+{
+    CHECK_EQ(state_->seen.has_value(), true);
+    const ViewInputs& view = *state_->seen;
+    return state_->reader.readSamples(state_->visibility.samples(), view.settings, view.camera.eye);
+}
+
+void GlRenderer::finish()
+{
+    state_->functions->gl().Finish();
+}
+
+Result<std::vector<Vec3d>> GlRenderer::evaluate(const Model& model, std::span<const double> values,
+                                                std::span<const Observation> rows)
+{
+    State& s = *state_;
+    prepareState(s.functions->gl());
+    if (!s.evaluation)
+        s.evaluation.emplace(s.functions->gl());
+    return s.closed(s.evaluation->run(model, values, rows));
+}
+
+const GlWork& GlRenderer::work() const
+{
+    return state_->work;
+}
+
+std::string GlRenderer::description() const
+{
+    const Gl& gl = state_->functions->gl();
+    const auto text = [&gl](GLenum name) { return std::string(reinterpret_cast<const char*>(gl.GetString(name))); };
+    return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
+} // namespace reflectance

@@ -1,0 +1,62 @@
+#include "core/render/gl/render_target.h"
+
+namespace reflectance {
+
+RenderTarget::RenderTarget(const Gl& gl, std::vector<GLenum> formats, WithDepth depth)
+    : framebuffer_(gl), formats_(std::move(formats))
+{
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    std::vector<GLenum> attachments;
+    for (std::size_t i = 0; i < formats_.size(); ++i) {
+        textures_.emplace_back(gl);
+        attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+        gl.BindTexture(GL_TEXTURE_2D, textures_[i].id());
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, attachments[i], GL_TEXTURE_2D, textures_[i].id(), 0);
+    }
+    gl.DrawBuffers(static_cast<GLsizei>(attachments.size()), attachments.data());
+    if (depth == WithDepth::Yes) {
+        const GlRenderbuffer& buffer = depth_.emplace_back(gl);
+        gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffer.id());
+    }
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void RenderTarget::resize(int width, int height)
+{
+    const Gl& gl = framebuffer_.gl();
+    for (std::size_t i = 0; i < formats_.size(); ++i) {
+        const GLenum type = formats_[i] == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT;
+        gl.BindTexture(GL_TEXTURE_2D, textures_[i].id());
+        gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(formats_[i]), width, height, 0, GL_RGBA, type, nullptr);
+    }
+    for (const GlRenderbuffer& buffer : depth_) {
+        gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+        gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width, height);
+    }
+    width_ = width;
+    height_ = height;
+}
+
+void RenderTarget::bind() const
+{
+    framebuffer_.gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    framebuffer_.gl().Viewport(0, 0, width_, height_);
+}
+
+void RenderTarget::bindForReading(int texture) const
+{
+    framebuffer_.gl().BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+    framebuffer_.gl().ReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(texture));
+}
+
+void RenderTarget::bindAsInput(int texture, int unit) const
+{
+    framebuffer_.gl().ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    framebuffer_.gl().BindTexture(GL_TEXTURE_2D, this->texture(texture));
+}
+
+} // namespace reflectance

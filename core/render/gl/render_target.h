@@ -1,0 +1,40 @@
+// A picture that shaders draw into and later passes read: textures of one size behind a framebuffer object.
+#pragma once
+
+#include "core/render/gl/gl_objects.h"
+
+#include <vector>
+
+namespace reflectance {
+
+enum class WithDepth { No, Yes };
+
+class RenderTarget {
+public:
+    /// One texture per format, GL_RGBA32F or GL_RGBA8. `resize` must follow.
+    RenderTarget(const Gl& gl, std::vector<GLenum> formats, WithDepth depth);
+
+    /// Allocates anew; contents are undefined until drawn.
+    void resize(int width, int height);
+
+    /// Draws go here from now on, to the whole of it.
+    void bind() const;
+    /// glReadPixels reads this texture from now on.
+    void bindForReading(int texture) const;
+    /// texelFetch at this unit reads this texture from now on.
+    void bindAsInput(int texture, int unit) const;
+
+    [[nodiscard]] GLuint texture(int index) const { return textures_[static_cast<std::size_t>(index)].id(); }
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+
+private:
+    GlFramebuffer framebuffer_;
+    std::vector<GLenum> formats_;
+    std::vector<GlTexture> textures_;
+    std::vector<GlRenderbuffer> depth_; ///< one or none
+    int width_ = 0;
+    int height_ = 0;
+};
+
+} // namespace reflectance

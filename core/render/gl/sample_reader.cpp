@@ -1,0 +1,77 @@
+#include "core/render/gl/sample_reader.h"
+
+namespace reflectance {
+namespace {
+
+/// Four floats of a texel, column x of row y.
+const float* texel(const std::vector<float>& rows, int width, int x, int y)
+{
+    return &rows[4 * Image::pixelCount(width, y) + 4 * static_cast<std::size_t>(x)];
+}
+
+void append(ViewSamples& samples, const float* normal, const float* position)
+{
+    samples.Nx.push_back(normal[0]);
+    samples.Ny.push_back(normal[1]);
+    samples.Nz.push_back(normal[2]);
+    samples.Px.push_back(position[0]);
+    samples.Py.push_back(position[1]);
+    samples.Pz.push_back(position[2]);
+    samples.triangle.push_back(static_cast<std::uint32_t>(normal[3] - 1.0F) +
+                               65536U * static_cast<std::uint32_t>(position[3]));
+}
+
+} // namespace
+
+void SampleReader::readRows(const RenderTarget& target, int texture, int firstRow, int rows, std::vector<float>& into)
+{
+    const std::size_t floats = 4 * Image::pixelCount(target.width(), rows);
+    if (into.size() < floats)
+        into.resize(floats);
+    target.bindForReading(texture);
+    gl_->ReadPixels(0, firstRow, target.width(), rows, GL_RGBA, GL_FLOAT, into.data());
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+}
+
+Image SampleReader::readImage(const RenderTarget& linear)
+{
+    Image image(linear.width(), linear.height());
+    readRows(linear, 0, 0, linear.height(), first_);
+    float* rgb = image.rgb.data();
+    float* coverage = image.coverage.data();
+    for (int y = image.height - 1; y >= 0; --y)
+        for (int x = 0; x < image.width; ++x) {
+            const float* from = texel(first_, image.width, x, y);
+            *rgb++ = from[0];
+            *rgb++ = from[1];
+            *rgb++ = from[2];
+            *coverage++ = from[3];
+        }
+    return image;
+}
+
+ViewSamples SampleReader::readSamples(const RenderTarget& target, const RenderSettings& settings, const Vec3d& eye)
+{
+    ViewSamples samples;
+    samples.settings = settings;
+    samples.eye = eye;
+    samples.firstOfPixel.reserve(Image::pixelCount(settings.width, settings.height) + 1);
+    const int k = settings.samplesPerAxis;
+    for (int row = settings.height - 1; row >= 0; --row) { // one row of pixels at a time: k rows of samples
+        readRows(target, 0, row * k, k, first_);
+        readRows(target, 1, row * k, k, second_);
+        for (int x = 0; x < settings.width; ++x) {
+            samples.firstOfPixel.push_back(static_cast<std::uint32_t>(samples.count()));
+            for (int j = k - 1; j >= 0; --j)
+                for (int i = 0; i < k; ++i) {
+                    const float* normal = texel(first_, target.width(), x * k + i, j);
+                    if (normal[3] > 0.0F)
+                        append(samples, normal, texel(second_, target.width(), x * k + i, j));
+                }
+        }
+    }
+    samples.firstOfPixel.push_back(static_cast<std::uint32_t>(samples.count()));
+    return samples;
+}
+
+} // namespace reflectance

@@ -1,0 +1,87 @@
+#include "core/render/gl/shader_source.h"
+
+#include "core/base/embedded.h"
+#include "core/base/text.h"
+
+#include <charconv>
+#include <optional>
+
+namespace reflectance {
+namespace {
+
+const char* typeOf(ParameterKind kind)
+{
+    return kind == ParameterKind::Number ? "float" : kind == ParameterKind::Color ? "vec3" : "mat3";
+}
+
+/// Takes a whole number off the front of `text`.
+std::optional<std::size_t> takeNumber(std::string_view& text)
+{
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc())
+        return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return number;
+}
+
+/// "3:12(5): error: ..." or "3(12) : error ..."; nothing if the line has another form.
+std::optional<Error> placed(std::string_view line, const ShaderSource& source)
+{
+    std::string_view rest = line;
+    const auto file = takeNumber(rest);
+    if (!file || *file >= source.files.size() || rest.empty() || (rest[0] != ':' && rest[0] != '('))
+        return std::nullopt;
+    rest.remove_prefix(1);
+    const auto number = takeNumber(rest);
+    const std::size_t message = rest.find("error");
+    if (!number || message == std::string_view::npos)
+        return std::nullopt;
+    rest.remove_prefix(message);
+    return Error{"the shader does not compile: " + std::string(trimmed(rest)), source.files[*file],
+                 static_cast<long>(*number)};
+}
+
+} // namespace
+
+ShaderPiece shaderFile(std::string_view name)
+{
+    return {"shaders/" + std::string(name), std::string(embeddedText(name))};
+}
+
+ShaderPiece parameterDeclarations(const ModelText& model)
+{
+    ShaderPiece piece{"parameters of " + model.id, {}};
+    for (const Parameter& parameter : model.parameters)
+        piece.text += std::string("uniform ") + typeOf(parameter.kind) + " " + parameter.name + ";\n";
+    return piece;
+}
+
+ShaderPiece modelCode(const ModelText& model)
+{
+    return {"shaders/reflectance/" + model.id + ".glsl", model.code};
+}
+
+ShaderSource assembled(const std::vector<std::string>& defines, std::vector<ShaderPiece> pieces)
+{
+    ShaderSource source;
+    source.text = "#version 330 core\n";
+    for (const std::string& name : defines)
+        source.text += "#define " + name + "\n";
+    for (ShaderPiece& piece : pieces) {
+        source.text += "#line 1 " + std::to_string(source.files.size()) + "\n" + piece.text + "\n";
+        source.files.push_back(std::move(piece.file));
+    }
+    return source;
+}
+
+Error compilerError(std::string_view log, const ShaderSource& source)
+{
+    for (const std::string_view line : split(log, '\n'))
+        if (auto error = placed(line, source))
+            return *std::move(error);
+    return Error{"the shader does not compile: " + std::string(trimmed(log)),
+                 source.files.empty() ? std::string() : source.files.back()};
+}
+
+} // namespace reflectance

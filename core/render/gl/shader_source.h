@@ -1,0 +1,40 @@
+// Puts a GLSL program text together from files, so that the compiler's messages still name the file and line.
+#pragma once
+
+#include "core/reflectance/model_text.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reflectance {
+
+struct ShaderPiece {
+    std::string file; ///< for messages: "shaders/prelude.glsl"
+    std::string text;
+};
+
+/// A text for the GLSL compiler. "#line L F" numbers the pieces: F is an index into `files`.
+struct ShaderSource {
+    std::string text;
+    std::vector<std::string> files;
+};
+
+/// A file under shaders/, as it travels inside the program.
+[[nodiscard]] ShaderPiece shaderFile(std::string_view name);
+
+/// "uniform float ks;" for each parameter: the text's own declarations were taken out by the parser. No initialisers,
+/// since every value is uploaded.
+[[nodiscard]] ShaderPiece parameterDeclarations(const ModelText& model);
+
+/// The model's formula.
+[[nodiscard]] ShaderPiece modelCode(const ModelText& model);
+
+/// #version 330 core, the names as #define, then the pieces.
+[[nodiscard]] ShaderSource assembled(const std::vector<std::string>& defines, std::vector<ShaderPiece> pieces);
+
+/// The first error in a compiler's log as message, file and line. Understands "FILE:LINE(COLUMN): error: ..." (Mesa,
+/// Intel) and "FILE(LINE) : error ..." (NVIDIA); a log in another form becomes the message as it is.
+[[nodiscard]] Error compilerError(std::string_view log, const ShaderSource& source);
+
+} // namespace reflectance

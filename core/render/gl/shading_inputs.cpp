@@ -1,0 +1,21 @@
+#include "core/render/gl/shading_inputs.h"
+
+#include "core/render/gl/light_texels.h"
+
+namespace reflectance {
+
+ShadingInputs shadingInputsOf(const Scene& scene)
+{
+    ShadingInputs inputs{requirementsOf(scene), valuesOf(scene), lightTexels(scene.lights), scene.environment,
+                         scene.background};
+    const bool seen = inputs.requirements.environment || inputs.requirements.environmentBackground;
+    if (!seen) {
+        inputs.environment = Environment();
+        inputs.environment.kind = EnvironmentKind::None;
+    }
+    if (scene.background.kind == BackgroundKind::Environment) // a black one is the plain colour black
+        inputs.background.color = Vec3d();
+    return inputs;
+}
+
+} // namespace reflectance

@@ -1,0 +1,130 @@
+#include "core/render/gl/shading_pass.h"
+
+#include "core/math/angle.h"
+#include "core/render/gl/model_uniforms.h"
+
+#include <cmath>
+
+namespace reflectance {
+namespace {
+
+enum Unit { Normals, Positions, Lights, Map };
+
+std::vector<std::string> definesFor(const Requirements& r)
+{
+    std::vector<std::string> names;
+    const auto define = [&names](bool required, const char* name) {
+        if (required)
+            names.emplace_back(name);
+    };
+    define(r.directionalLights, "DIRECTIONAL_LIGHTS");
+    define(r.pointLights, "POINT_LIGHTS");
+    define(r.environment, "ENVIRONMENT");
+    define(r.environmentBackground, "ENVIRONMENT_BACKGROUND");
+    define(r.environmentMap, "ENVIRONMENT_MAP");
+    return names;
+}
+
+ShaderSource sourceFor(const Requirements& r, const ModelText& model)
+{
+    std::vector<ShaderPiece> pieces{shaderFile("prelude.glsl"), parameterDeclarations(model), modelCode(model)};
+    if (r.environment || r.environmentBackground) {
+        pieces.push_back(shaderFile(r.environmentMap ? "illumination/map.glsl" : "illumination/studio.glsl"));
+        pieces.push_back(shaderFile("gl/surroundings.glsl"));
+    }
+    pieces.push_back(shaderFile("gl/arrival.glsl"));
+    pieces.push_back(shaderFile("gl/shading.frag"));
+    return assembled(definesFor(r), std::move(pieces));
+}
+
+/// The ray through a sample is linear in its place: a corner and a step along each axis, from the lower left.
+void setRays(const GlProgram& program, const Camera& camera, const RenderSettings& settings)
+{
+    const CameraFrame frame = frameOf(camera);
+    const double pixel = 2.0 * std::tan(0.5 * radians(camera.fieldOfView)) / settings.height;
+    const Vec3d corner = -0.5 * pixel * (settings.width * frame.right + settings.height * frame.up) - frame.back;
+    const double step = pixel / settings.samplesPerAxis;
+    program.set("cornerRay", corner);
+    program.set("rayStepX", step * frame.right);
+    program.set("rayStepY", step * frame.up);
+}
+
+} // namespace
+
+ShadingPass::ShadingPass(const Gl& gl)
+    : gl_(&gl), linear_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl), lights_(gl), environmentMap_(gl)
+{
+}
+
+void ShadingPass::resize(const RenderSettings& settings)
+{
+    linear_.resize(settings.width, settings.height);
+}
+
+Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements)
+{
+    return programs_.find(requirements.key(), [&]() -> Result<GlProgram> {
+        const auto model = findModel(requirements.model);
+        if (!model)
+            return model.error();
+        return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+                               sourceFor(requirements, (*model)->text));
+    });
+}
+
+void ShadingPass::setLights(const GlProgram& program, const std::vector<float>& texels)
+{
+    if (texels != uploadedLights_) {
+        lights_.upload(texels);
+        uploadedLights_ = texels;
+    }
+    lights_.bindAsInput(Unit::Lights);
+    program.set("lightTexels", Unit::Lights);
+    program.set("lightCount", static_cast<int>(texels.size() / floatsPerLight));
+}
+
+Result<void> ShadingPass::setEnvironment(const GlProgram& program, const ShadingInputs& inputs)
+{
+    const Environment& environment = inputs.environment;
+    if (environment.kind == EnvironmentKind::None)
+        return {};
+    if (inputs.requirements.environmentMap) {
+        if (auto shown = environmentMap_.show(environment.map); !shown)
+            return shown;
+        environmentMap_.bindAsInput(Unit::Map);
+        program.set("environmentMap", Unit::Map);
+    }
+    const double turn = radians(environment.rotation);
+    program.set("environmentFactor", environment.radiance);
+    program.set("environmentTurn", std::array{static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn))});
+    program.set("environmentIsConstant", environment.kind == EnvironmentKind::Constant ? 1 : 0);
+    return {};
+}
+
+Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs& inputs, const Camera& camera,
+                               const RenderSettings& settings)
+{
+    const auto found = programFor(inputs.requirements);
+    if (!found)
+        return found.error();
+    const GlProgram& program = **found;
+    program.use();
+    samples.bindAsInput(0, Unit::Normals);
+    samples.bindAsInput(1, Unit::Positions);
+    program.set("normals", Unit::Normals);
+    program.set("positions", Unit::Positions);
+    program.set("samplesPerAxis", settings.samplesPerAxis);
+    program.set("eye", camera.eye);
+    program.set("backgroundColor", inputs.background.color);
+    setRays(program, camera, settings);
+    setLights(program, inputs.lights);
+    if (auto set = setEnvironment(program, inputs); !set)
+        return set;
+    uploadParameters(program, (*findModel(inputs.requirements.model))->text, inputs.values);
+    linear_.bind();
+    gl_->BindVertexArray(noVertices_.id());
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    return {};
+}
+
+} // namespace reflectance

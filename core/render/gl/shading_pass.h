@@ -1,0 +1,42 @@
+// The second pass: shades the kept samples over the whole picture, with a program made for what the scene requires.
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/render/gl/environment_map.h"
+#include "core/render/gl/gl_program.h"
+#include "core/render/gl/light_texels.h"
+#include "core/render/gl/render_target.h"
+#include "core/render/gl/shading_inputs.h"
+#include "core/render/settings.h"
+
+namespace reflectance {
+
+class ShadingPass {
+public:
+    explicit ShadingPass(const Gl& gl);
+
+    void resize(const RenderSettings& settings);
+
+    /// Draws into linear(). The samples must be those of this camera and these settings.
+    [[nodiscard]] Result<void> draw(const RenderTarget& samples, const ShadingInputs& inputs, const Camera& camera,
+                                    const RenderSettings& settings);
+
+    /// RGB: mean linear radiance, A: coverage.
+    [[nodiscard]] const RenderTarget& linear() const { return linear_; }
+    [[nodiscard]] std::size_t programs() const { return programs_.size(); }
+
+private:
+    [[nodiscard]] Result<const GlProgram*> programFor(const Requirements& requirements);
+    void setLights(const GlProgram& program, const std::vector<float>& texels);
+    [[nodiscard]] Result<void> setEnvironment(const GlProgram& program, const ShadingInputs& inputs);
+
+    const Gl* gl_;
+    RenderTarget linear_;
+    GlVertexArray noVertices_;
+    LightBuffer lights_;
+    EnvironmentMap environmentMap_;
+    GlProgramCache programs_;
+    std::vector<float> uploadedLights_;
+};
+
+} // namespace reflectance

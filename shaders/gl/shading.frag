@@ -1,0 +1,57 @@
+// Shades the kept samples of one pixel and averages them: the lecture's sum over the lights. Linear, never clamped.
+uniform sampler2D normals;   // N, hit flag
+uniform sampler2D positions; // P
+uniform int samplesPerAxis;
+uniform int lightCount;
+uniform vec3 eye;
+uniform vec3 backgroundColor;
+uniform vec3 cornerRay; // ray of the image's lower left corner, and its change per sample
+uniform vec3 rayStepX;
+uniform vec3 rayStepY;
+
+layout(location = 0) out vec4 radianceAndCoverage;
+
+vec3 shadeSample(vec3 N, vec3 P)
+{
+    vec3 V = normalize(eye - P);
+    vec3 sum = vec3(0.0);
+#if defined(DIRECTIONAL_LIGHTS) || defined(POINT_LIGHTS)
+    for (int light = 0; light < lightCount; ++light) {
+        arrive(light, P);
+        sum += shade(N, L, V, I);
+    }
+#endif
+#ifdef ENVIRONMENT
+    sum += shadeEnvironment(N, V);
+#endif
+    return sum;
+}
+
+vec3 backgroundAt(ivec2 texel)
+{
+#ifdef ENVIRONMENT_BACKGROUND
+    return environment(normalize(cornerRay + (float(texel.x) + 0.5) * rayStepX + (float(texel.y) + 0.5) * rayStepY));
+#else
+    return backgroundColor;
+#endif
+}
+
+void main()
+{
+    ivec2 first = ivec2(gl_FragCoord.xy) * samplesPerAxis;
+    vec3 sum = vec3(0.0);
+    float hits = 0.0;
+    for (int j = 0; j < samplesPerAxis; ++j)
+        for (int i = 0; i < samplesPerAxis; ++i) {
+            ivec2 texel = first + ivec2(i, j);
+            vec4 normalAndHit = texelFetch(normals, texel, 0);
+            if (normalAndHit.w > 0.0) {
+                sum += shadeSample(normalAndHit.xyz, texelFetch(positions, texel, 0).xyz);
+                hits += 1.0;
+            } else {
+                sum += backgroundAt(texel);
+            }
+        }
+    float samples = float(samplesPerAxis * samplesPerAxis);
+    radianceAndCoverage = vec4(sum / samples, hits / samples);
+}
