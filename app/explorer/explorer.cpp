@@ -1,0 +1,200 @@
+#include "app/explorer/explorer.h"
+
+#include "app/explorer/frame_pace.h"
+#include "app/explorer/pictures.h"
+#include "app/explorer/preferences.h"
+#include "app/explorer/prices.h"
+#include "app/explorer/requests.h"
+#include "app/explorer/session.h"
+#include "app/explorer/ui/ui.h"
+#include "app/explorer/user_folders.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace reflectance::explorer {
+namespace {
+
+/// Files that are read faster than this are there with the first picture.
+constexpr std::chrono::milliseconds patienceAtStart{300};
+/// The turntable's turn, radians per second: once round in a quarter of a minute.
+constexpr double turntableSpeed = 0.42;
+
+constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+/// An ImGui window that fills an area of the layout.
+void beginArea(const char* name, const Area& area, ImGuiWindowFlags more, bool padded)
+{
+    ImGui::SetNextWindowPos({area.x, area.y});
+    ImGui::SetNextWindowSize({std::max(1.0F, area.width), std::max(1.0F, area.height)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    if (!padded)
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+    ImGui::Begin(name, nullptr, fixedWindow | more);
+    ImGui::PopStyleVar(padded ? 2 : 3);
+}
+
+void drawSplitter(ExplorerState& state, const Area& area, float windowWidth, float scale)
+{
+    beginArea("##splitter", area, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
+    ImGui::InvisibleButton("##grip", {std::max(1.0F, area.width), std::max(1.0F, area.height)});
+    const bool touched = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (touched)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemActive()) {
+        const float wanted = (windowWidth - ImGui::GetIO().MousePos.x - 0.5F * area.width) / scale;
+        state.preferences.panelWidth = allowedPanelWidth(wanted, windowWidth, scale);
+    }
+    const float middle = std::round(area.x + 0.5F * area.width);
+    const ImU32 color = ImGui::GetColorU32(touched ? ImGuiCol_SeparatorHovered : ImGuiCol_Separator);
+    ImGui::GetWindowDrawList()->AddLine({middle, area.y}, {middle, area.bottom()}, color, touched ? 2.0F * scale : 1.0F);
+    ImGui::End();
+}
+
+void drawInterface(Session& session)
+{
+    ExplorerState& state = session.state;
+    const float scale = session.window.scale();
+    const ViewSize size = session.window.size();
+    const auto width = static_cast<float>(size.width);
+    const Layout layout = layoutOf(width, static_cast<float>(size.height), {toolbarHeight(), statusLineHeight()},
+                                   state.preferences.panelWidth, scale);
+    beginArea("##toolbar", layout.toolbar, ImGuiWindowFlags_NoScrollWithMouse, true);
+    drawToolbar(state);
+    ImGui::End();
+    beginArea("##panels", layout.panels, ImGuiWindowFlags_AlwaysVerticalScrollbar, true);
+    drawPanels(state);
+    ImGui::End();
+    drawSplitter(state, layout.splitter, width, scale);
+    beginArea("##view", layout.picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
+    drawViewport(state, session.viewport, session.renderer, layout.picture, session.window.pixelsPerPoint(), scale);
+    ImGui::End();
+    beginArea("##status", layout.status, ImGuiWindowFlags_NoScrollWithMouse, true);
+    drawStatusLine(state);
+    ImGui::End();
+    drawHelp(state);
+    drawFileBrowser(state);
+}
+
+void turnTable(Session& session, double seconds)
+{
+    if (session.state.turntable && !session.viewport.dragging())
+        session.state.scene.camera = orbited(session.state.scene.camera, turntableSpeed * std::min(seconds, 0.1), 0.0);
+}
+
+void saveAskedWindowPicture(Session& session)
+{
+    const std::optional<std::string> path = std::exchange(session.windowPicture, std::nullopt);
+    if (!path)
+        return;
+    const Result<std::string> saved = saveWindowPicture(session.state, session.window.framebuffer(), Window::loader(), *path);
+    session.state.message = saved ? Message{"Window saved: " + *saved, false} : Message{saved.error().sentence(), true};
+}
+
+void titleWindow(Session& session)
+{
+    const Scene& scene = session.state.scene;
+    session.window.setTitle(scene.mesh->name + " - " + modelOf(scene).text.name + " - Reflectance Explorer");
+}
+
+void drawOnce(Session& session)
+{
+    const Events events = session.window.takeEvents();
+    for (const KeyPress& key : events.keys)
+        press(key, session.state);
+    session.toOpen.insert(session.toOpen.end(), events.dropped.begin(), events.dropped.end());
+    session.state.drawSoon = false;
+    session.window.beginFrame();
+    drawInterface(session);
+    session.window.drawFrame();
+    saveAskedWindowPicture(session);
+    session.window.showFrame();
+    pollPrices(session);
+    serveRequests(session);
+    pollFiles(session);
+    titleWindow(session);
+}
+
+Reasons reasonsOf(const Session& session)
+{
+    const auto untilRefined = session.viewport.cameraMoved + restBeforeRefining - Clock::now();
+    const bool refine = session.viewport.refinementOwed && !session.viewport.dragging();
+    return {
+        .animating = session.state.turntable || session.windowPicture.has_value(),
+        .loading = session.state.loading.has_value() || !session.toOpen.empty(),
+        .drawSoon = session.state.drawSoon,
+        .untilRefined = refine ? std::chrono::duration<double>(untilRefined).count()
+                               : std::numeric_limits<double>::infinity(),
+        .untilPrices = secondsUntilPrices(session),
+    };
+}
+
+void runLoop(Session& session)
+{
+    FramePace pace;
+    Clock::time_point last = Clock::now();
+    while (!session.quit && !session.window.closing()) {
+        pace.waited(session.window.wait(pace.secondsToWait(reasonsOf(session))));
+        const Clock::time_point now = Clock::now();
+        turnTable(session, std::chrono::duration<double>(now - last).count());
+        last = now;
+        drawOnce(session);
+    }
+}
+
+void openAtStart(Session& session, const ExplorerOptions& options)
+{
+    if (!options.input.empty())
+        session.toOpen.push_back(options.input);
+    if (options.environment)
+        session.toOpen.push_back(*options.environment);
+    pollFiles(session);
+    session.loader.waitFor(patienceAtStart);
+    pollFiles(session);
+}
+
+void keepPreferences(Session& session)
+{
+    const ViewSize size = session.window.size();
+    Preferences& preferences = session.state.preferences;
+    preferences.windowWidth = static_cast<int>(std::lround(static_cast<float>(size.width) / session.window.scale()));
+    preferences.windowHeight = static_cast<int>(std::lround(static_cast<float>(size.height) / session.window.scale()));
+    // Nobody is left to read a message; losing the window's size is no harm.
+    if (!savePreferences(preferences, settingsFolder()))
+        return;
+}
+
+} // namespace
+
+Result<Outcome> runExplorer(const ExplorerOptions& options)
+{
+    const std::optional<Desktop> desktop = Desktop::connect();
+    if (!desktop)
+        return Outcome::NoDisplay;
+    const Result<Preferences> preferences = loadPreferences(settingsFolder());
+    const Preferences start = preferences ? *preferences : Preferences();
+    Result<Window> window = Window::open(start.windowWidth, start.windowHeight, start.interfaceScale);
+    if (!window)
+        return window.error();
+    Result<GlRenderer> renderer = GlRenderer::create(Window::loader());
+    if (!renderer)
+        return renderer.error();
+
+    Session session(*window, *renderer);
+    session.state.preferences = start;
+    session.state.renderer = renderer->description();
+    session.state.scene = defaultScene();
+    if (!preferences)
+        session.state.message = Message{preferences.error().sentence(), true};
+    openAtStart(session, options);
+    runLoop(session);
+    keepPreferences(session);
+    return Outcome::Closed;
+}
+
+} // namespace reflectance::explorer

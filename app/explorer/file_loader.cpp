@@ -1,0 +1,106 @@
+#include "app/explorer/file_loader.h"
+
+#include "core/base/text.h"
+#include "core/geometry/load.h"
+#include "core/scene/scene_file.h"
+
+#include <atomic>
+#include <filesystem>
+#include <future>
+#include <thread>
+
+namespace reflectance::explorer {
+namespace {
+
+template <class T> Result<Content> asContent(Result<T> read)
+{
+    if (!read)
+        return read.error();
+    return Content(std::move(read).value());
+}
+
+Result<Content> readMesh(const std::string& path, std::atomic<double>& done, const std::atomic<bool>& cancel)
+{
+    LoadOptions options;
+    options.progress = &done;
+    options.cancel = &cancel;
+    Result<LoadedMesh> loaded = loadStockOrFile(path, options);
+    if (!loaded)
+        return loaded.error();
+    return Content(std::move(loaded->mesh));
+}
+
+Result<Content> readContent(const std::string& path, std::atomic<double>& done, const std::atomic<bool>& cancel)
+{
+    const std::string ending = lowered(std::filesystem::path(path).extension().string());
+    if (ending == ".json")
+        return asContent(loadScene(path));
+    if (ending == ".exr" || ending == ".hdr")
+        return asContent(loadEnvironment(path));
+    return readMesh(path, done, cancel);
+}
+
+} // namespace
+
+struct FileLoader::Job {
+    std::string path;
+    std::atomic<double> done{0.0};
+    std::atomic<bool> cancel{false};
+    std::promise<Result<Content>> promise;
+    std::future<Result<Content>> future = promise.get_future();
+    std::jthread thread; // last: joined before what it uses goes
+
+    [[nodiscard]] bool hasEnded() const { return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+};
+
+FileLoader::FileLoader(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+FileLoader::~FileLoader()
+{
+    cancel();
+}
+
+void FileLoader::start(const std::string& path)
+{
+    cancel();
+    job_ = std::make_unique<Job>();
+    job_->path = path;
+    job_->thread = std::jthread([this, job = job_.get()] {
+        job->promise.set_value(readContent(job->path, job->done, job->cancel));
+        wake_();
+    });
+}
+
+void FileLoader::cancel()
+{
+    const auto ended = [](const std::unique_ptr<Job>& job) { return job->hasEnded(); };
+    std::erase_if(cancelled_, ended);
+    if (!job_)
+        return;
+    job_->cancel = true;
+    cancelled_.push_back(std::move(job_));
+}
+
+std::optional<Loading> FileLoader::progress() const
+{
+    if (!job_)
+        return std::nullopt;
+    return Loading{job_->path, job_->done};
+}
+
+std::optional<LoadedFile> FileLoader::take()
+{
+    if (!job_ || !job_->hasEnded())
+        return std::nullopt;
+    LoadedFile file{job_->path, job_->future.get()};
+    job_.reset();
+    return file;
+}
+
+void FileLoader::waitFor(std::chrono::milliseconds longest) const
+{
+    if (job_)
+        job_->future.wait_for(longest);
+}
+
+} // namespace reflectance::explorer

@@ -1,0 +1,86 @@
+#include "app/explorer/keys.h"
+
+#include <algorithm>
+
+namespace reflectance::explorer {
+namespace {
+
+using Kind = Request::Kind;
+
+void request(ExplorerState& state, Kind kind)
+{
+    state.requests.push_back({kind, {}});
+}
+
+void nextModel(ExplorerState& state, int step)
+{
+    const std::vector<Model>& models = catalogue();
+    const auto count = static_cast<int>(models.size());
+    const auto here = std::find_if(models.begin(), models.end(),
+                                   [&](const Model& model) { return model.id() == state.scene.surface.model; });
+    const int next = (static_cast<int>(here - models.begin()) + step + count) % count;
+    state.scene.surface.model = models[static_cast<std::size_t>(next)].id();
+}
+
+void selectLight(ExplorerState& state, int index)
+{
+    if (index < static_cast<int>(state.scene.lights.size()))
+        state.selectedLight = index;
+}
+
+/// Closes what lies on top: an overlay, then loading, then a message.
+void escape(ExplorerState& state)
+{
+    if (state.showHelp || state.showFileBrowser)
+        state.showHelp = state.showFileBrowser = false;
+    else if (state.loading)
+        request(state, Kind::CancelLoading);
+    else
+        state.message.reset();
+}
+
+void pressWithControl(const std::string& key, ExplorerState& state)
+{
+    if (key == "o")
+        request(state, Kind::OpenDialog);
+    else if (key == "s")
+        request(state, Kind::SaveScene);
+    else if (key == "q")
+        request(state, Kind::Quit);
+    else if (key == "F12")
+        request(state, Kind::SaveWindow);
+}
+
+void pressAlone(const KeyPress& key, ExplorerState& state)
+{
+    if (key.key == "f")
+        request(state, Kind::Frame);
+    else if (key.key == "r")
+        request(state, Kind::ResetView);
+    else if (key.key == "t")
+        state.turntable = !state.turntable;
+    else if (key.key == "h")
+        state.preferences.showLightHandles = !state.preferences.showLightHandles;
+    else if (key.key == "m")
+        nextModel(state, key.shift ? -1 : 1);
+    else if (key.key.size() == 1 && key.key[0] >= '1' && key.key[0] <= '9')
+        selectLight(state, key.key[0] - '1');
+    else if (key.key == "F1")
+        state.showHelp = !state.showHelp;
+    else if (key.key == "F12")
+        request(state, Kind::SaveView);
+    else if (key.key == "Esc")
+        escape(state);
+}
+
+} // namespace
+
+void press(const KeyPress& key, ExplorerState& state)
+{
+    if (key.control)
+        pressWithControl(key.key, state);
+    else
+        pressAlone(key, state);
+}
+
+} // namespace reflectance::explorer

@@ -1,0 +1,131 @@
+#include "app/explorer/price_worker.h"
+
+#include "core/image/compare.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <thread>
+
+namespace reflectance::explorer {
+namespace {
+
+constexpr int repetitions = 3;
+
+struct Shaded {
+    Image image;
+    double milliseconds = 0.0;
+};
+
+/// The median of a few; one alone where it took long, for then it is not the clock that is coarse.
+Shaded shadedOnCpu(const ViewSamples& samples, const Scene& scene, Precision precision, Progress& progress)
+{
+    using namespace std::chrono;
+    Shaded shaded;
+    std::vector<double> times;
+    while (times.size() < repetitions && !progress.cancel) {
+        const auto start = steady_clock::now();
+        shaded.image = shadeSamples(samples, scene, precision, &progress);
+        times.push_back(duration<double, std::milli>(steady_clock::now() - start).count());
+        if (times.back() > 100.0)
+            break;
+    }
+    std::sort(times.begin(), times.end());
+    shaded.milliseconds = times.empty() ? 0.0 : times[times.size() / 2];
+    return shaded;
+}
+
+double coveredShare(const ViewSamples& samples)
+{
+    const std::vector<std::uint32_t>& first = samples.firstOfPixel;
+    std::size_t covered = 0;
+    for (std::size_t pixel = 0; pixel + 1 < first.size(); ++pixel)
+        covered += first[pixel + 1] > first[pixel] ? 1U : 0U;
+    return static_cast<double>(covered) / static_cast<double>(std::max<std::size_t>(1, first.size() - 1));
+}
+
+PriceTag tagOf(std::string name, const Shaded& shaded, const Image& truth, double covered)
+{
+    PriceTag tag;
+    tag.name = std::move(name);
+    tag.milliseconds = shaded.milliseconds;
+    const Result<Comparison> difference = compared(truth, shaded.image);
+    if (!difference || difference->identical)
+        return tag;
+    tag.maxError = difference->maxAbs;
+    tag.rmse = covered > 0.0 ? difference->rmse / std::sqrt(covered) : 0.0;
+    tag.worstX = difference->x;
+    tag.worstY = difference->y;
+    return tag;
+}
+
+} // namespace
+
+std::optional<Prices> measuredPrices(const Scene& scene, const DrawnByGl& drawn, Progress& progress)
+{
+    const double covered = coveredShare(drawn.samples);
+    const Shaded exact = shadedOnCpu(drawn.samples, scene, Precision::Double, progress);
+    const Shaded single = shadedOnCpu(drawn.samples, scene, Precision::Float, progress);
+    const Shaded lanes = shadedOnCpu(drawn.samples, scene, Precision::Simd, progress);
+    if (progress.cancel)
+        return std::nullopt;
+    Prices prices;
+    prices.tags = {tagOf("double", exact, exact.image, covered), tagOf("float", single, exact.image, covered),
+                   tagOf("simd", lanes, exact.image, covered),
+                   tagOf("gl", {drawn.linear, drawn.milliseconds}, exact.image, covered)};
+    prices.counts = develop(drawn.linear, scene.sensor).counts;
+    return prices;
+}
+
+struct PriceWorker::Job {
+    Scene scene;
+    DrawnByGl drawn;
+    Progress progress;
+    std::promise<std::optional<Prices>> promise;
+    std::future<std::optional<Prices>> future = promise.get_future();
+    std::jthread thread; // last: joined before what it uses goes
+};
+
+PriceWorker::PriceWorker(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+PriceWorker::~PriceWorker()
+{
+    cancel();
+}
+
+void PriceWorker::start(Scene scene, DrawnByGl drawn)
+{
+    cancel();
+    job_ = std::make_unique<Job>();
+    job_->scene = std::move(scene);
+    job_->drawn = std::move(drawn);
+    job_->thread = std::jthread([this, job = job_.get()] {
+        job->promise.set_value(measuredPrices(job->scene, job->drawn, job->progress));
+        wake_();
+    });
+}
+
+// Joining is short: shading looks at the flag for each of its tiles.
+void PriceWorker::cancel()
+{
+    if (job_)
+        job_->progress.cancel = true;
+    job_.reset();
+}
+
+bool PriceWorker::busy() const
+{
+    return job_ != nullptr;
+}
+
+std::optional<Prices> PriceWorker::take()
+{
+    if (!job_ || job_->future.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return std::nullopt;
+    std::optional<Prices> prices = job_->future.get();
+    job_.reset();
+    return prices;
+}
+
+} // namespace reflectance::explorer

@@ -1,0 +1,65 @@
+#include "app/explorer/prices.h"
+
+#include <limits>
+
+namespace reflectance::explorer {
+namespace {
+
+bool owed(const Session& session)
+{
+    return session.pricedPicture != session.viewport.pictures && !session.viewport.refinementOwed &&
+           !session.viewport.dragging() && !session.state.turntable;
+}
+
+/// GL's own samples, its picture of them, and what shading them once more takes.
+std::optional<DrawnByGl> drawnByGl(Session& session)
+{
+    GlRenderer& renderer = session.renderer;
+    renderer.finish();
+    renderer.invalidateShading();
+    const Clock::time_point start = Clock::now();
+    if (!renderer.render(shownScene(session.state), session.viewport.settings))
+        return std::nullopt;
+    renderer.finish();
+    const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return DrawnByGl{renderer.readSamples(), renderer.readLinear(), milliseconds};
+}
+
+void noteChange(Session& session)
+{
+    if (session.countedPicture == session.viewport.pictures)
+        return;
+    session.countedPicture = session.viewport.pictures;
+    session.lastChange = Clock::now();
+    session.prices.cancel();
+    session.state.priceTags.clear();
+    session.state.sensorCounts.reset();
+    session.state.measuringPrices = true;
+}
+
+} // namespace
+
+double secondsUntilPrices(const Session& session)
+{
+    if (!owed(session))
+        return std::numeric_limits<double>::infinity();
+    const auto rested = Clock::now() - session.lastChange;
+    return std::chrono::duration<double>(restBeforeMeasuring - rested).count();
+}
+
+void pollPrices(Session& session)
+{
+    noteChange(session);
+    if (std::optional<Prices> prices = session.prices.take()) {
+        session.state.priceTags = std::move(prices->tags);
+        session.state.sensorCounts = prices->counts;
+        session.state.measuringPrices = false;
+    }
+    if (!owed(session) || secondsUntilPrices(session) > 0.0)
+        return;
+    session.pricedPicture = session.viewport.pictures;
+    if (std::optional<DrawnByGl> drawn = drawnByGl(session))
+        session.prices.start(shownScene(session.state), std::move(*drawn));
+}
+
+} // namespace reflectance::explorer

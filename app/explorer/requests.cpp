@@ -1,0 +1,151 @@
+#include "app/explorer/requests.h"
+
+#include "app/explorer/pictures.h"
+#include "app/explorer/preferences.h"
+#include "app/explorer/user_folders.h"
+#include "core/scene/scene_file.h"
+
+#include <filesystem>
+
+namespace reflectance::explorer {
+namespace {
+
+namespace fs = std::filesystem;
+
+void tell(Session& session, std::string text)
+{
+    session.state.message = Message{std::move(text), false};
+}
+
+void complain(Session& session, const Error& error)
+{
+    session.state.message = Message{error.sentence(), true};
+}
+
+double aspectOf(const Viewport& viewport)
+{
+    return static_cast<double>(viewport.view.size.width) / viewport.view.size.height;
+}
+
+void frame(Session& session)
+{
+    session.state.scene.camera = framed(session.state.scene.camera, aspectOf(session.viewport));
+}
+
+void resetView(Session& session)
+{
+    session.state.turntable = false;
+    session.state.scene.camera = Camera();
+    frame(session);
+}
+
+/// Lights, surface and sensor as the program starts with; the mesh stays.
+void resetScene(Session& session)
+{
+    Scene fresh = defaultScene();
+    fresh.mesh = session.state.scene.mesh;
+    fresh.meshFile = session.state.scene.meshFile;
+    session.state.scene = std::move(fresh);
+    session.state.selectedLight = 0;
+    session.state.soloLight = -1;
+    resetView(session);
+}
+
+void saveScene(Session& session, std::string path)
+{
+    if (path.empty())
+        path = session.sceneFile;
+    if (path.empty())
+        path = freeName(picturesFolder(), session.state.scene.mesh->name, session.state.scene.surface.model, ".json");
+    if (const Result<void> saved = reflectance::saveScene(session.state.scene, path); !saved)
+        return complain(session, saved.error());
+    session.sceneFile = path;
+    tell(session, "Scene saved: " + path);
+}
+
+void saveView(Session& session, const std::string& path)
+{
+    const Result<std::string> saved = saveViewPicture(session.state, session.viewport, session.renderer, path);
+    if (saved)
+        tell(session, "Picture saved: " + *saved);
+    else
+        complain(session, saved.error());
+}
+
+void serve(Session& session, const Request& request)
+{
+    using Kind = Request::Kind;
+    switch (request.kind) {
+    case Kind::OpenFile: session.toOpen.push_back(request.path); break;
+    case Kind::OpenDialog: session.state.showFileBrowser = true; break;
+    case Kind::SaveView: saveView(session, request.path); break;
+    case Kind::SaveWindow: session.windowPicture = request.path; break;
+    case Kind::SaveScene: saveScene(session, request.path); break;
+    case Kind::Frame: frame(session); break;
+    case Kind::ResetView: resetView(session); break;
+    case Kind::ResetScene: resetScene(session); break;
+    case Kind::CancelLoading:
+        session.loader.cancel();
+        session.toOpen.clear();
+        break;
+    case Kind::Quit: session.quit = true; break;
+    }
+}
+
+struct TakeOver {
+    Session& session;
+    const std::string& path;
+
+    void operator()(std::shared_ptr<const Mesh> mesh) const
+    {
+        Scene& scene = session.state.scene;
+        scene.mesh = std::move(mesh);
+        scene.meshFile = path;
+        frame(session);
+    }
+    void operator()(Scene scene) const
+    {
+        session.state.scene = std::move(scene);
+        session.state.selectedLight = session.state.scene.lights.empty() ? -1 : 0;
+        session.state.soloLight = -1;
+        session.sceneFile = path;
+    }
+    void operator()(Environment environment) const
+    {
+        session.state.scene.environment = std::move(environment);
+        if (!modelOf(session.state.scene).text.usesEnvironment)
+            tell(session, "The environment is loaded; of the models, only those that reflect it show it. M changes the model.");
+    }
+};
+
+void takeOver(Session& session, LoadedFile file)
+{
+    if (!file.content)
+        return complain(session, file.content.error());
+    session.state.message.reset();
+    std::visit(TakeOver{session, file.path}, std::move(file.content).value());
+    std::error_code ignored;
+    if (fs::is_regular_file(file.path, ignored))
+        remember(session.state.preferences, fs::absolute(file.path, ignored).lexically_normal().string());
+}
+
+} // namespace
+
+void serveRequests(Session& session)
+{
+    for (const Request& request : std::exchange(session.state.requests, {}))
+        serve(session, request);
+}
+
+void pollFiles(Session& session)
+{
+    if (std::optional<LoadedFile> file = session.loader.take())
+        takeOver(session, std::move(*file));
+    if (!session.loader.progress() && !session.toOpen.empty()) {
+        session.loader.start(session.toOpen.front());
+        session.toOpen.pop_front();
+    }
+    session.state.loading = session.loader.progress();
+}
+
+} // namespace reflectance::explorer

@@ -1,0 +1,36 @@
+// One run of the explorer: what it knows, and what works for it.
+#pragma once
+
+#include "app/explorer/file_loader.h"
+#include "app/explorer/price_worker.h"
+#include "app/explorer/state.h"
+#include "app/explorer/viewport.h"
+#include "app/explorer/window.h"
+#include "core/render/gl/gl_renderer.h"
+
+#include <deque>
+#include <string>
+
+namespace reflectance::explorer {
+
+struct Session {
+    Session(Window& itsWindow, GlRenderer& itsRenderer) : window(itsWindow), renderer(itsRenderer) {}
+
+    Window& window;
+    GlRenderer& renderer;
+    ExplorerState state;
+    Viewport viewport;
+    FileLoader loader{Window::wake};
+    PriceWorker prices{Window::wake};
+
+    std::deque<std::string> toOpen; ///< files that wait for the one being read
+    std::string sceneFile;          ///< the scene file in use; empty where there is none
+    std::optional<std::string> windowPicture; ///< where to save the frame being drawn; empty chooses a name
+    bool quit = false;
+
+    std::uint64_t pricedPicture = 0;  ///< Viewport::pictures when the prices were last asked for
+    std::uint64_t countedPicture = 0; ///< Viewport::pictures when lastChange was noted
+    Clock::time_point lastChange{};   ///< when the picture last changed
+};
+
+} // namespace reflectance::explorer

@@ -1,0 +1,15 @@
+#include "app/explorer/state.h"
+
+namespace reflectance::explorer {
+
+Scene shownScene(const ExplorerState& state)
+{
+    Scene scene = state.scene;
+    if (state.soloLight < 0 || state.soloLight >= static_cast<int>(scene.lights.size()))
+        return scene;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        scene.lights[i].on = static_cast<int>(i) == state.soloLight;
+    return scene;
+}
+
+} // namespace reflectance::explorer

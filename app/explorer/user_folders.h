@@ -1,0 +1,23 @@
+// Where the desktop's conventions put settings and pictures (XDG base directories and user directories).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace reflectance::explorer {
+
+/// $XDG_CONFIG_HOME or ~/.config, with "reflectance" below it; empty without a home.
+[[nodiscard]] std::filesystem::path settingsFolder();
+
+/// The user's pictures: XDG_PICTURES_DIR of user-dirs.dirs, else ~/Pictures if it is there, else home, else here.
+[[nodiscard]] std::filesystem::path picturesFolder();
+
+/// The value of XDG_PICTURES_DIR in the text of a user-dirs.dirs, with $HOME replaced; empty if it is not given.
+[[nodiscard]] std::filesystem::path picturesFolderIn(std::string_view userDirs, const std::string& home);
+
+/// folder/reflectance-MESH-MODEL-N.ENDING with the first N >= 1 that is still free.
+[[nodiscard]] std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& mesh,
+                                             const std::string& model, const std::string& ending);
+
+} // namespace reflectance::explorer

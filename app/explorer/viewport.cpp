@@ -1,0 +1,180 @@
+#include "app/explorer/viewport.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace reflectance::explorer {
+namespace {
+
+/// A drag that only shades shows every sample as long as a picture takes no longer than this.
+constexpr double smoothMilliseconds = 40.0;
+
+Modifiers modifiers()
+{
+    return {.shift = ImGui::GetIO().KeyShift, .control = ImGui::GetIO().KeyCtrl};
+}
+
+ImGuiMouseButton imguiButton(MouseButton button)
+{
+    return button == MouseButton::Left    ? ImGuiMouseButton_Left
+           : button == MouseButton::Right ? ImGuiMouseButton_Right
+                                          : ImGuiMouseButton_Middle;
+}
+
+void beginStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
+{
+    for (const MouseButton button : {MouseButton::Left, MouseButton::Right, MouseButton::Middle}) {
+        if (!ImGui::IsMouseClicked(imguiButton(button)))
+            continue;
+        viewport.button = button;
+        viewport.stroke = strokeFrom(button, modifiers(), cursor, viewport.hoveredLight, state.selectedLight,
+                                     state.scene.lights, state.scene.camera, viewport.view.size);
+        if (viewport.stroke.light >= 0)
+            state.selectedLight = viewport.stroke.light;
+        return;
+    }
+}
+
+void continueStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
+{
+    Stroke& stroke = viewport.stroke;
+    const bool lightGone = stroke.movesLight() && stroke.light >= static_cast<int>(state.scene.lights.size());
+    if (lightGone || !ImGui::IsMouseDown(imguiButton(viewport.button))) {
+        stroke = {};
+        return;
+    }
+    if (stroke.movesCamera())
+        state.scene.camera = cameraOf(stroke, viewport.view.size, cursor);
+    else if (stroke.movesLight())
+        state.scene.lights[static_cast<std::size_t>(stroke.light)] = lightOf(stroke, viewport.view.size, cursor);
+}
+
+/// One frame of the mouse over the picture.
+void handleMouse(ExplorerState& state, Viewport& viewport)
+{
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const Cursor cursor = viewport.view.cursorAt(mouse.x, mouse.y);
+    const bool hovered = ImGui::IsItemHovered();
+    if (viewport.dragging()) {
+        continueStroke(state, viewport, cursor);
+        return;
+    }
+    viewport.hoveredLight = -1;
+    if (!hovered)
+        return;
+    if (state.preferences.showLightHandles)
+        viewport.hoveredLight = handleAt(state.scene.lights, state.scene.camera, viewport.view.size, cursor,
+                                         handleReach(viewport.view));
+    if (ImGui::GetIO().MouseWheel != 0.0F)
+        state.scene.camera = zoomedByWheel(state.scene.camera, static_cast<double>(ImGui::GetIO().MouseWheel));
+    if (viewport.hoveredLight >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        Light& light = state.scene.lights[static_cast<std::size_t>(viewport.hoveredLight)];
+        light.on = !light.on;
+    } else {
+        beginStroke(state, viewport, cursor);
+    }
+}
+
+RenderSettings settingsFor(const ExplorerState& state, Viewport& viewport)
+{
+    const Clock::time_point now = Clock::now();
+    if (state.scene.camera != viewport.shownCamera) {
+        viewport.shownCamera = state.scene.camera;
+        viewport.cameraMoved = now;
+    }
+    const bool moving = state.turntable || viewport.stroke.movesCamera() || now - viewport.cameraMoved < restBeforeRefining;
+    const bool shading = viewport.stroke.movesLight() || ImGui::IsAnyItemActive();
+    const bool coarse = moving || (shading && viewport.fullMilliseconds > smoothMilliseconds);
+    viewport.refinementOwed = coarse && state.preferences.samplesPerAxis > 1;
+    return {viewport.view.size.width, viewport.view.size.height, coarse ? 1 : state.preferences.samplesPerAxis};
+}
+
+std::uint64_t picturesOf(const GlRenderer& renderer)
+{
+    return renderer.work().shadings + renderer.work().developments;
+}
+
+void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer)
+{
+    viewport.settings = settingsFor(state, viewport);
+    const std::uint64_t before = picturesOf(renderer);
+    const Clock::time_point start = Clock::now();
+    const Result<void> rendered = renderer.render(shownScene(state), viewport.settings);
+    if (!rendered) {
+        state.message = Message{rendered.error().sentence(), true};
+        return;
+    }
+    if (picturesOf(renderer) == before)
+        return;
+    renderer.finish();
+    state.frameMilliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    if (viewport.settings.samplesPerAxis == state.preferences.samplesPerAxis)
+        viewport.fullMilliseconds = state.frameMilliseconds;
+    ++viewport.pictures;
+}
+
+/// A bar in the middle of the lower edge, with what is being read and a way to stop it.
+void drawLoading(ExplorerState& state, const Area& area, float scale)
+{
+    if (!state.loading)
+        return;
+    const float width = std::min(320.0F * scale, 0.8F * area.width);
+    ImGui::SetCursorScreenPos({area.x + 0.5F * (area.width - width), area.bottom() - 84.0F * scale});
+    ImGui::BeginChild("##loading", {width, 64.0F * scale}, true, ImGuiWindowFlags_NoScrollbar);
+    const std::string name = state.loading->file.substr(state.loading->file.find_last_of('/') + 1);
+    ImGui::TextUnformatted(("Opening " + name).c_str());
+    const float button = 72.0F * scale;
+    ImGui::ProgressBar(static_cast<float>(state.loading->done),
+                       {ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x, 0.0F});
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {button, 0.0F}))
+        state.requests.push_back({Request::Kind::CancelLoading, {}});
+    ImGui::EndChild();
+}
+
+void setCursorShape(const Viewport& viewport)
+{
+    if (viewport.stroke.movesLight() || viewport.hoveredLight >= 0)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    else if (viewport.stroke.kind == Stroke::Kind::Pan)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+}
+
+} // namespace
+
+void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, const Area& area, float pixelsPerPoint,
+                  float scale)
+{
+    const auto pixels = [pixelsPerPoint](float points) { return std::max(1, static_cast<int>(std::lround(points * pixelsPerPoint))); };
+    viewport.view = {area.x, area.y, {pixels(area.width), pixels(area.height)}, pixelsPerPoint, scale};
+    ImGui::SetCursorScreenPos({area.x, area.y});
+    ImGui::SetItemAllowOverlap();
+    ImGui::InvisibleButton("##picture", {std::max(1.0F, area.width), std::max(1.0F, area.height)},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    handleMouse(state, viewport);
+    render(state, viewport, renderer);
+
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer.developedTexture()));
+    // Row 0 of the texture is the picture's lowest.
+    canvas.AddImage(texture, {area.x, area.y}, {area.right(), area.bottom()}, {0.0F, 1.0F}, {1.0F, 0.0F});
+    const int held = viewport.stroke.movesLight() ? viewport.stroke.light : -1;
+    if (state.preferences.showLightHandles || held >= 0)
+        drawLightHandles(canvas, state, viewport.view, viewport.hoveredLight, held);
+    const int told = held >= 0 ? held : viewport.hoveredLight;
+    if (told >= 0 && told < static_cast<int>(state.scene.lights.size()))
+        showLightTooltip(state, told);
+    setCursorShape(viewport);
+    drawLoading(state, area, scale);
+}
+
+Result<void> renderFully(const ExplorerState& state, const Viewport& viewport, GlRenderer& renderer)
+{
+    return renderer.render(shownScene(state),
+                           {viewport.view.size.width, viewport.view.size.height, state.preferences.samplesPerAxis});
+}
+
+} // namespace reflectance::explorer

@@ -1,0 +1,40 @@
+// The picture and the hand in it: renders the scene at the window's resolution and turns strokes into camera and light.
+#pragma once
+
+#include "app/explorer/layout.h"
+#include "app/explorer/light_handles.h"
+#include "core/render/gl/gl_renderer.h"
+
+#include <chrono>
+
+namespace reflectance::explorer {
+
+using Clock = std::chrono::steady_clock;
+
+struct Viewport {
+    PictureView view;
+    Stroke stroke;
+    MouseButton button = MouseButton::Left; ///< that the stroke began with
+    int hoveredLight = -1;
+
+    Camera shownCamera;               ///< of the last picture
+    Clock::time_point cameraMoved{};  ///< when it last changed
+    double fullMilliseconds = 0.0;    ///< of the last picture with all its samples
+    RenderSettings settings;          ///< of the last picture
+    std::uint64_t pictures = 0;       ///< how many different ones were drawn
+    bool refinementOwed = false;      ///< the last picture had fewer samples than wanted
+
+    [[nodiscard]] bool dragging() const { return stroke.kind != Stroke::Kind::None; }
+};
+
+/// Pictures with one sample per pixel are shown while the camera moves, and this long after.
+inline constexpr std::chrono::milliseconds restBeforeRefining{150};
+
+/// Draws the picture, the handles and what the hand does, into an ImGui window over `area`.
+void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, const Area& area, float pixelsPerPoint,
+                  float scale);
+
+/// Brings the picture up to date with all its samples, whatever the hand is doing: for saving it.
+[[nodiscard]] Result<void> renderFully(const ExplorerState& state, const Viewport& viewport, GlRenderer& renderer);
+
+} // namespace reflectance::explorer

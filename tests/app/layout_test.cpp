@@ -1,0 +1,50 @@
+// The window's areas tile it without gaps or overlaps, from 640 x 480 to 4K at scale 2.
+#include "app/explorer/layout.h"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+namespace reflectance::explorer {
+namespace {
+
+class LayoutOf : public testing::TestWithParam<std::tuple<float, float, float, float>> {};
+
+TEST_P(LayoutOf, TilesTheWindow)
+{
+    const auto [width, height, panelWidth, scale] = GetParam();
+    const Layout l = layoutOf(width, height, {44.0F, 30.0F}, panelWidth, scale);
+    EXPECT_EQ(l.toolbar.width, width);
+    EXPECT_EQ(l.toolbar.bottom(), l.picture.y);
+    EXPECT_EQ(l.picture.right(), l.splitter.x);
+    EXPECT_EQ(l.splitter.right(), l.panels.x);
+    EXPECT_EQ(l.panels.right(), width);
+    EXPECT_EQ(l.picture.bottom(), l.status.y);
+    EXPECT_EQ(l.panels.bottom(), l.status.y);
+    EXPECT_EQ(l.status.bottom(), height);
+    EXPECT_GE(l.panels.width, 280.0F * scale);
+    EXPECT_GE(l.picture.width, 240.0F * scale);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, LayoutOf,
+                         testing::Combine(testing::Values(1200.0F, 1280.0F, 2560.0F, 3840.0F),
+                                          testing::Values(600.0F, 800.0F, 2160.0F), testing::Values(0.0F, 360.0F, 5000.0F),
+                                          testing::Values(1.0F, 1.5F, 2.0F)));
+
+TEST(LayoutOf, GivesWayInAWindowTooSmallForBoth)
+{
+    const Layout l = layoutOf(200.0F, 60.0F, {44.0F, 30.0F}, 360.0F, 1.0F);
+    EXPECT_GE(l.picture.width, 0.0F);
+    EXPECT_GE(l.picture.height, 0.0F);
+    EXPECT_LE(l.panels.width, 200.0F);
+}
+
+TEST(LayoutOf, ThisSuiteCatchesAnOverlap)
+{
+    Layout l = layoutOf(1280.0F, 800.0F, {44.0F, 30.0F}, 360.0F, 1.0F);
+    l.panels.x -= 1.0F; // planted fault
+    EXPECT_NE(l.splitter.right(), l.panels.x);
+}
+
+} // namespace
+} // namespace reflectance::explorer
