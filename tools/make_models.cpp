@@ -25,7 +25,9 @@ std::string memberType(ParameterKind kind)
 std::string memberValue(const Parameter& p)
 {
     const auto number = [&](std::size_t i) { return "lit<T>(values[" + std::to_string(p.offset + i) + "])"; };
-    const auto triple = [&](std::size_t i) { return "Vec3<T>(" + number(i) + ", " + number(i + 1) + ", " + number(i + 2) + ")"; };
+    const auto triple = [&](std::size_t i) {
+        return "Vec3<T>(" + number(i) + ", " + number(i + 1) + ", " + number(i + 2) + ")";
+    };
     if (p.kind == ParameterKind::Number)
         return number(0);
     if (p.kind == ParameterKind::Color)
@@ -69,7 +71,8 @@ int run(const std::string& folder, const std::string& list, const std::string& h
            "namespace reflectance::models {\n";
     for (const ModelText& model : models)
         writeModel(out, model);
-    out << "\n} // namespace reflectance::models\n\n#pragma GCC diagnostic pop\n\n#define REFLECTANCE_FOR_EACH_MODEL(DO)";
+    out << "\n} // namespace reflectance::models\n\n#pragma GCC diagnostic pop\n\n#define "
+           "REFLECTANCE_FOR_EACH_MODEL(DO)";
     for (const ModelText& model : models)
         out << " DO(" << model.id << ")";
     out << '\n';

@@ -16,7 +16,9 @@ bool isWordLetter(char c)
 /// Length of the number literal at `at`, 0 if none starts there.
 std::size_t numberLength(std::string_view code, std::size_t at)
 {
-    const auto digit = [&](std::size_t i) { return i < code.size() && std::isdigit(static_cast<unsigned char>(code[i])) != 0; };
+    const auto digit = [&](std::size_t i) {
+        return i < code.size() && std::isdigit(static_cast<unsigned char>(code[i])) != 0;
+    };
     if (!digit(at) && !(code[at] == '.' && digit(at + 1)))
         return 0;
     std::size_t end = at;

@@ -77,7 +77,8 @@ Result<void> writeAtomically(const std::string& path, std::string_view bytes)
         const int problem = fs::is_directory(status) ? EISDIR : writeInto(path, bytes, 0, false);
         return problem == 0 ? Result<void>() : unwritable(path, problem);
     }
-    const std::string target = fs::is_symlink(fs::symlink_status(path, ignored)) ? fs::weakly_canonical(path, ignored).string() : path;
+    const std::string target =
+        fs::is_symlink(fs::symlink_status(path, ignored)) ? fs::weakly_canonical(path, ignored).string() : path;
     const std::string temporary = target + "." + std::to_string(::getpid()) + ".tmp";
     int problem = writeInto(temporary, bytes, O_CREAT | O_TRUNC, true);
     if (problem == 0 && std::rename(temporary.c_str(), target.c_str()) != 0)

@@ -10,7 +10,8 @@
 namespace reflectance {
 
 /// The bytes of a regular file. Refuses folders, devices and pipes (they may never end) and files above `limit` bytes.
-[[nodiscard]] Result<std::string> readWholeFile(const std::string& path, std::uintmax_t limit = std::uintmax_t{4} << 30U);
+[[nodiscard]] Result<std::string> readWholeFile(const std::string& path,
+                                                std::uintmax_t limit = std::uintmax_t{4} << 30U);
 
 /// Writes into a new file of the same folder, waits until it is on disk, then renames it to `path`: readers see the old
 /// file or the new one. On failure the old file stays and no other remains. A link is followed; a device such as

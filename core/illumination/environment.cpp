@@ -53,7 +53,8 @@ template <class T> Vec3<T> arriving(const Environment& environment, const Vec3<T
     case EnvironmentKind::Studio:
         return factor * texts::Studio<T>().studioRadiance(turned(direction, environment.rotation));
     case EnvironmentKind::Map:
-        return environment.map ? factor * lookedUp(*environment.map, turned(direction, environment.rotation)) : Vec3<T>();
+        return environment.map ? factor * lookedUp(*environment.map, turned(direction, environment.rotation))
+                               : Vec3<T>();
     }
     return {};
 }

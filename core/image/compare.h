@@ -24,7 +24,7 @@ struct Comparison {
     int x = 0, y = 0, channel = 0; ///< where maxAbs is first met, rows from the top
     double meanAbs = 0.0;
     double rmse = 0.0;
-    double maxRelative = 0.0; ///< |b - a| / max(|a|, relativeFloor)
+    double maxRelative = 0.0;  ///< |b - a| / max(|a|, relativeFloor)
     std::size_t differing = 0; ///< pixels with any difference
     OddPixels a, b;
 };

@@ -6,7 +6,8 @@ Result<void> checkDimensions(long width, long height, std::size_t bytes, long pi
 {
     const std::string size = std::to_string(width) + " x " + std::to_string(height);
     if (width < 1 || height < 1 || width > largestSide || height > largestSide)
-        return Error{"claims to be " + size + " pixels; 1 to " + std::to_string(largestSide) + " per side are read", path};
+        return Error{"claims to be " + size + " pixels; 1 to " + std::to_string(largestSide) + " per side are read",
+                     path};
     if (width * height > mostPixels)
         return Error{"claims to be " + size + " pixels; at most " + std::to_string(mostPixels) + " are read", path};
     if (width * height / pixelsPerByte > static_cast<long>(bytes))

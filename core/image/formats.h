@@ -1,4 +1,5 @@
-// One pair of functions per picture format: bytes of a file to a linear Image, and back. For picture_file.cpp and tests.
+// One pair of functions per picture format: bytes of a file to a linear Image, and back. For picture_file.cpp and
+// tests.
 // `path` only serves messages. Readers survive any bytes: an Error or an Image, within the bounds of dimensions.h.
 #pragma once
 
@@ -13,7 +14,8 @@
 namespace reflectance {
 
 /// 8 or 16 bits; grey, RGB or palette, with or without alpha (-> coverage, colours not divided by it). Code values are
-/// decoded with the sRGB curve, or with the file's own gAMA exponent where it has one other than 1/2.2 and no sRGB chunk.
+/// decoded with the sRGB curve, or with the file's own gAMA exponent where that is not 1/2.2 and no sRGB chunk stands
+/// beside it.
 [[nodiscard]] Result<Image> decodedPng(std::string_view bytes, const std::string& path);
 
 /// 8-bit RGB, marked as sRGB (chunks sRGB, gAMA, cHRM).

@@ -94,7 +94,8 @@ bool readPixels(Bytes& bytes, std::vector<Rgbe>& line, Rgbe first)
 bool readLine(Bytes& bytes, std::vector<Rgbe>& line)
 {
     const Rgbe start = bytes.pixel();
-    const bool byComponent = start[0] == 2 && start[1] == 2 && start[2] < 128 && line.size() >= 8 && line.size() < 32768;
+    const bool byComponent =
+        start[0] == 2 && start[1] == 2 && start[2] < 128 && line.size() >= 8 && line.size() < 32768;
     if (!byComponent)
         return readPixels(bytes, line, start);
     return 256U * start[2] + start[3] == line.size() && readComponents(bytes, line);
@@ -139,7 +140,8 @@ Result<Image> decodedHdr(std::string_view bytes, const std::string& path)
     Bytes rest(bytes);
     const auto header = readHeader(rest);
     if (!header)
-        return Error{"is not a Radiance picture of RGBE pixels stored by rows (FORMAT=32-bit_rle_rgbe, -Y H +X W)", path};
+        return Error{"is not a Radiance picture of RGBE pixels stored by rows (FORMAT=32-bit_rle_rgbe, -Y H +X W)",
+                     path};
     // Sixteen bytes of old run lengths can fill a line.
     if (const auto size = checkDimensions(header->width, header->height, bytes.size(), 8192, path); !size)
         return size.error();

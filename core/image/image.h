@@ -15,17 +15,17 @@ struct Image {
     std::vector<float> coverage; ///< width * height, or empty
 
     Image() = default;
-    Image(int w, int h)
-        : width(w), height(h), rgb(3 * pixelCount(w, h), 0.0F), coverage(pixelCount(w, h), 0.0F)
-    {
-    }
+    Image(int w, int h) : width(w), height(h), rgb(3 * pixelCount(w, h), 0.0F), coverage(pixelCount(w, h), 0.0F) {}
 
     [[nodiscard]] static std::size_t pixelCount(int w, int h)
     {
         return static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
     }
     [[nodiscard]] std::size_t pixels() const { return pixelCount(width, height); }
-    [[nodiscard]] const float* at(int x, int y) const { return &rgb[3 * (pixelCount(width, y) + static_cast<std::size_t>(x))]; }
+    [[nodiscard]] const float* at(int x, int y) const
+    {
+        return &rgb[3 * (pixelCount(width, y) + static_cast<std::size_t>(x))];
+    }
     [[nodiscard]] float* at(int x, int y) { return &rgb[3 * (pixelCount(width, y) + static_cast<std::size_t>(x))]; }
 };
 

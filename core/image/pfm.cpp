@@ -38,7 +38,8 @@ std::optional<PfmHeader> headerOf(std::string_view bytes)
     const auto width = parseInteger(fields[1]);
     const auto height = parseInteger(fields[2]);
     const auto scale = parseNumber(fields[3]);
-    if ((fields[0] != "PF" && fields[0] != "Pf") || !width || !height || !scale || *scale == 0.0 || !std::isfinite(*scale))
+    if ((fields[0] != "PF" && fields[0] != "Pf") || !width || !height || !scale || *scale == 0.0 ||
+        !std::isfinite(*scale))
         return std::nullopt;
     return PfmHeader{*width, *height, *scale, fields[0] == "PF" ? 3U : 1U, at + 1};
 }

@@ -16,10 +16,22 @@ using std::floor;
 using std::pow;
 using std::sqrt;
 
-[[nodiscard]] inline double max(double a, double b) { return std::max(a, b); }
-[[nodiscard]] inline float max(float a, float b) { return std::max(a, b); }
-[[nodiscard]] inline double min(double a, double b) { return std::min(a, b); }
-[[nodiscard]] inline float min(float a, float b) { return std::min(a, b); }
+[[nodiscard]] inline double max(double a, double b)
+{
+    return std::max(a, b);
+}
+[[nodiscard]] inline float max(float a, float b)
+{
+    return std::max(a, b);
+}
+[[nodiscard]] inline double min(double a, double b)
+{
+    return std::min(a, b);
+}
+[[nodiscard]] inline float min(float a, float b)
+{
+    return std::min(a, b);
+}
 
 /// x kept within low .. high.
 template <class T> [[nodiscard]] T clamp(const T& x, const T& low, const T& high)
