@@ -28,7 +28,7 @@ std::size_t editDistance(std::string_view a, std::string_view b)
 
 template <class Number> std::optional<Number> parsed(std::string_view text)
 {
-    if (!text.empty() && text.front() == '+')
+    if (text.starts_with('+') && !text.starts_with("+-")) // from_chars knows no plus sign
         text.remove_prefix(1);
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -106,7 +106,7 @@ std::string joined(const std::vector<std::string>& names, std::string_view separ
 {
     std::string text;
     for (const std::string& name : names) {
-        if (!text.empty())
+        if (&name != &names.front())
             text += separator;
         text += name;
     }

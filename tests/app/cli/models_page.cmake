@@ -1,0 +1,10 @@
+# docs/models.md must be what the catalogue says, and a page with one letter changed must not pass.
+execute_process(COMMAND "${PROGRAM}" models --markdown OUTPUT_VARIABLE fresh COMMAND_ERROR_IS_FATAL ANY)
+file(READ "${PAGE}" page)
+if(NOT page STREQUAL fresh)
+  message(FATAL_ERROR "docs/models.md is stale; renew it: reflectance models --markdown > docs/models.md")
+endif()
+string(REPLACE "Hybrid" "hybrid" planted "${page}")
+if(planted STREQUAL fresh)
+  message(FATAL_ERROR "the planted difference was not noticed")
+endif()

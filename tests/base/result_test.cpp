@@ -1,0 +1,34 @@
+// Result holds a value or a sentence that names its place.
+#include "core/base/result.h"
+
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace reflectance {
+namespace {
+
+TEST(Result, SentenceNamesWhatIsKnownOfThePlace)
+{
+    EXPECT_EQ((Error{"wrong", "a.obj", 7}).sentence(), "a.obj:7: wrong");
+    EXPECT_EQ((Error{"wrong", "a.obj"}).sentence(), "a.obj: wrong");
+    EXPECT_EQ((Error{"wrong"}).sentence(), "wrong");
+}
+
+TEST(Result, MovesItsValueOut)
+{
+    Result<std::unique_ptr<int>> result = std::make_unique<int>(3);
+    ASSERT_TRUE(result);
+    const std::unique_ptr<int> taken = *std::move(result);
+    EXPECT_EQ(*taken, 3);
+}
+
+TEST(Result, WithoutValue)
+{
+    EXPECT_TRUE(Result<void>());
+    const Result<void> failed = Error{"wrong"};
+    ASSERT_FALSE(failed);
+    EXPECT_EQ(failed.error().message, "wrong");
+}
+
+} // namespace
+} // namespace reflectance

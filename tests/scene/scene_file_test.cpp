@@ -1,0 +1,100 @@
+// Scene files: what is written is read back equal, and what is wrong is said in one sentence.
+#include "core/scene/scene_file.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace reflectance {
+namespace {
+
+Scene unusualScene()
+{
+    Scene scene = defaultScene();
+    scene.camera.eye = {0.1, 1.0 / 3.0, -4.0};
+    scene.camera.fieldOfView = 61.7;
+    Light point;
+    point.name = "a \"quoted\" point";
+    point.kind = LightKind::Point;
+    point.position = {1e-3, 2.0, -1e7};
+    point.intensity = {0.1, 0.0, 1e6};
+    point.angularRadius = 0.25;
+    point.on = false;
+    scene.lights.push_back(point);
+    scene.environment.kind = EnvironmentKind::Constant;
+    scene.environment.rotation = -12.5;
+    scene.background = {BackgroundKind::Environment, {0.5, 0.25, 0.125}};
+    scene.surface.model = "phong";
+    scene.surface.values["n"] = {1e7};
+    scene.surface.values["K"] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, -0.9};
+    scene.sensor.exposure = -3.3;
+    return scene;
+}
+
+bool equal(const Scene& a, const Scene& b)
+{
+    return a.meshFile == b.meshFile && a.camera == b.camera && a.lights == b.lights && a.environment == b.environment &&
+           a.background == b.background && a.surface == b.surface && a.sensor == b.sensor;
+}
+
+TEST(SceneFile, ReadsBackWhatItWroteBitForBit)
+{
+    Scene scene = unusualScene();
+    // A directional light is written with its direction only, a point light with its position only.
+    scene.lights.back().direction = Light().direction;
+    const auto read = parseScene(sceneText(scene, ""), "scene.json", "");
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_TRUE(equal(*read, scene));
+    EXPECT_EQ(read->mesh->triangles.size(), scene.mesh->triangles.size());
+}
+
+TEST(SceneFile, ASmallDifferenceIsADifference) // the planted fault of this suite
+{
+    Scene scene = unusualScene();
+    const auto read = parseScene(sceneText(scene, ""), "scene.json", "");
+    ASSERT_TRUE(read);
+    scene.sensor.exposure = std::nextafter(scene.sensor.exposure, 0.0);
+    EXPECT_FALSE(equal(*read, scene));
+}
+
+TEST(SceneFile, EmptyObjectIsTheDefaultScene)
+{
+    const auto read = parseScene("{}", "scene.json", "");
+    ASSERT_TRUE(read);
+    EXPECT_TRUE(equal(*read, defaultScene()));
+}
+
+struct BadScene {
+    const char* text;
+    const char* sentence;
+};
+
+class BadScenes : public testing::TestWithParam<BadScene> {};
+
+TEST_P(BadScenes, AreSaidInOneSentence)
+{
+    const auto read = parseScene(GetParam().text, "scene.json", "");
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().sentence().find(GetParam().sentence), std::string::npos) << read.error().sentence();
+    EXPECT_EQ(read.error().sentence().find('\n'), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SceneFile, BadScenes,
+    testing::Values(BadScene{"", "scene.json:1: not a JSON scene"}, BadScene{"{\n\n]", "scene.json:3: not a JSON scene"},
+                    BadScene{"[]", "scene is not an object"}, BadScene{R"({"ligths": []})", "did you mean 'lights'"},
+                    BadScene{R"({"lights": {}})", "scene.lights is not a list"},
+                    BadScene{R"({"lights": [{"kind": "spot"}]})", "scene.lights[0].kind is 'spot'; choose one of"},
+                    BadScene{R"({"lights": [{"intensity": [1, 2]}]})", "three finite numbers"},
+                    BadScene{R"({"lights": [{"intensity": [1, -2, 1]}]})", "none negative"},
+                    BadScene{R"({"lights": [{"direction": [0, 0, 0]}]})", "zero vector"},
+                    BadScene{R"({"lights": [{"radius": 91}]})", "within 0 .. 90"},
+                    BadScene{R"({"surface": {"model": "lambret"}})", "did you mean 'lambert'"},
+                    BadScene{R"({"surface": {"parameters": {"ks": -1}}})", "ks = -1 is out of range"},
+                    BadScene{R"({"surface": {"parameters": {"ks": [1, 2]}}})", "takes 1 number, not 2"},
+                    BadScene{R"({"surface": {"parameters": {"wrong": 1}}})", "no model has a parameter 'wrong'"},
+                    BadScene{R"({"sensor": {"exposure": 1e9}})", "within -16 .. 16"},
+                    BadScene{R"({"mesh": "missing.obj"})", "missing.obj"},
+                    BadScene{R"({"reflectance_scene": 2})", "reflectance_scene must be a whole number within 1 .. 1"}));
+
+} // namespace
+} // namespace reflectance
