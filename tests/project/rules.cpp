@@ -56,9 +56,11 @@ std::string problemWithLibrary(const Rules& rules, std::string_view path, const 
     for (const auto& [beginning, folders] : rules.libraries)
         if (header.starts_with(beginning)) {
             const auto holds = [path](const std::string& folder) { return isBelow(path, folder); };
-            return std::any_of(folders.begin(), folders.end(), holds) ? "" : "has its home elsewhere";
+            return std::any_of(folders.begin(), folders.end(), holds)
+                       ? ""
+                       : "has its home elsewhere; see docs/architecture.md";
         }
-    return isStandard(header) ? "" : "has no row in the table of libraries";
+    return isStandard(header) ? "" : "has no row in the libraries of docs/architecture.md";
 }
 
 std::string problemWithRoom(const Rules& rules, std::string_view path, const std::string& header)
