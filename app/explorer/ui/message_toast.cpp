@@ -1,0 +1,44 @@
+#include "app/explorer/ui/message_toast.h"
+
+#include "app/explorer/ui/widgets.h"
+
+#include <algorithm>
+
+namespace reflectance::explorer {
+
+namespace {
+
+constexpr ImGuiWindowFlags toastFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+} // namespace
+
+void drawMessage(ExplorerState& state, ImVec2 bottomLeft, float width)
+{
+    if (!state.message)
+        return;
+    const float margin = points(12);
+    const float wrap = std::min(width - 4 * margin, points(640));
+    ImGui::SetNextWindowPos({bottomLeft.x + margin, bottomLeft.y - margin}, ImGuiCond_Always, {0, 1});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(44, 44, 44, 245));
+    ImGui::Begin("message", nullptr, toastFlags);
+    const ImU32 mark = state.message->isError ? palette::error : palette::accent;
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const float top = ImGui::GetCursorPosY();
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap - points(40));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + points(4));
+    ImGui::TextUnformatted(state.message->text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::SameLine(0, points(16));
+    ImGui::SetCursorPosY(top - points(3));
+    const bool dismissed = ImGui::SmallButton("\u00D7##dismiss");
+    tooltip("Dismiss this message.  Esc");
+    const ImVec2 size = ImGui::GetWindowSize();
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + points(4), corner.y + size.y}, mark, points(8), ImDrawFlags_RoundCornersLeft);
+    ImGui::End();
+    ImGui::PopStyleColor();
+    if (dismissed)
+        state.message.reset();
+}
+
+} // namespace reflectance::explorer

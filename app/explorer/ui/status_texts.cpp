@@ -1,0 +1,118 @@
+#include "app/explorer/ui/status_texts.h"
+
+#include "core/base/text.h"
+#include "core/scene/requirements.h"
+
+#include <algorithm>
+
+namespace reflectance::explorer {
+
+namespace {
+
+std::string inThousands(std::size_t count)
+{
+    const auto n = static_cast<double>(count);
+    return count < 1000 ? std::to_string(count) : count < 1000000 ? general(n / 1e3, 3) + "k" : general(n / 1e6, 3) + "M";
+}
+
+StatusPart framePart(const ExplorerState& state)
+{
+    const std::string time = duration(state.frameMilliseconds);
+    return {time + " per frame", time, "Time to draw the last frame. A window at rest draws nothing.", 8, false};
+}
+
+StatusPart trianglePart(const ExplorerState& state)
+{
+    const std::size_t count = state.scene.mesh ? state.scene.mesh->triangles.size() : 0;
+    const std::size_t vertices = state.scene.mesh ? state.scene.mesh->positions.size() : 0;
+    return {grouped(count) + " triangles", inThousands(count) + " tri", grouped(count) + " triangles, " + grouped(vertices) + " vertices.", 5, false};
+}
+
+StatusPart rendererPart(const ExplorerState& state)
+{
+    return {state.renderer, std::string(trimmed(state.renderer.substr(0, state.renderer.find('(')))), "Drawn by OpenGL on " + state.renderer + ".", 1, false};
+}
+
+StatusPart leftOutPart(const std::vector<std::string>& sentences)
+{
+    const std::string count = std::to_string(sentences.size()) + " left out";
+    const std::string full = sentences.size() == 1 ? "left out: " + sentences[0] : count;
+    return {full, count, "Only what the scene requires is computed. Left out:\n\u2022 " + joined(sentences, "\n\u2022 "), 6, true};
+}
+
+StatusPart pricePart(const PriceTag& tag)
+{
+    const std::string time = tag.name + " " + duration(tag.milliseconds);
+    const bool isTruth = tag.name == "double";
+    const std::string error = isTruth ? ", exact" : ", error " + general(tag.maxError, 2);
+    std::string about = tag.name + ": shading the whole picture once takes " + duration(tag.milliseconds) + ".\n";
+    if (isTruth)
+        about += "This is the truth that the others are measured against.";
+    else
+        about += "Largest difference of a linear channel to the double picture: " + general(tag.maxError, 3) + "; RMSE " + general(tag.rmse, 3) + ".";
+    if (tag.worstX >= 0)
+        about += "\nWorst at pixel (" + std::to_string(tag.worstX) + ", " + std::to_string(tag.worstY) + ").";
+    return {time + error, time, about, isTruth ? 2 : 4, false};
+}
+
+} // namespace
+
+std::string grouped(std::size_t count)
+{
+    std::string text = std::to_string(count);
+    for (std::size_t left = text.size(); left > 3; left -= 3)
+        text.insert(left - 3, "\u2009");
+    return text;
+}
+
+std::string duration(double milliseconds)
+{
+    return milliseconds < 1000.0 ? general(milliseconds, 3) + " ms" : general(milliseconds / 1000.0, 3) + " s";
+}
+
+std::vector<StatusPart> pictureParts(const ExplorerState& state)
+{
+    std::vector<StatusPart> parts{framePart(state), trianglePart(state)};
+    if (!state.renderer.empty())
+        parts.push_back(rendererPart(state));
+    return parts;
+}
+
+std::vector<StatusPart> priceParts(const ExplorerState& state)
+{
+    std::vector<StatusPart> parts;
+    if (const std::vector<std::string> sentences = leftOut(shownScene(state)); !sentences.empty())
+        parts.push_back(leftOutPart(sentences));
+    for (const PriceTag& tag : state.priceTags)
+        parts.push_back(pricePart(tag));
+    if (state.measuringPrices && state.priceTags.empty())
+        parts.push_back({"measuring float, SIMD and GL against double\u2026", "measuring\u2026", "The price tags of this scene are being measured.", 3, false});
+    return parts;
+}
+
+std::vector<PartForm> formsThatFit(std::span<const PartWidth> parts, float available)
+{
+    std::vector<PartForm> forms(parts.size(), PartForm::Full);
+    float total = 0.0F;
+    for (const PartWidth& part : parts)
+        total += part.full;
+    std::vector<std::size_t> order(parts.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return parts[a].weight < parts[b].weight; });
+    for (const std::size_t i : order) {
+        if (total <= available)
+            return forms;
+        forms[i] = PartForm::Brief;
+        total -= parts[i].full - parts[i].brief;
+    }
+    for (const std::size_t i : order) {
+        if (total <= available)
+            return forms;
+        forms[i] = PartForm::Gone;
+        total -= parts[i].brief;
+    }
+    return forms;
+}
+
+} // namespace reflectance::explorer

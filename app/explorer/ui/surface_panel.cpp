@@ -1,0 +1,130 @@
+#include "app/explorer/ui/surface_panel.h"
+
+#include "app/explorer/ui/card.h"
+#include "app/explorer/ui/formula_view.h"
+#include "app/explorer/ui/parameter_rows.h"
+#include "app/explorer/ui/widgets.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace reflectance::explorer {
+
+namespace {
+
+void modelTooltip(const ModelText& model)
+{
+    if (!tooltipIsDue())
+        return;
+    beginTooltip();
+    ImGui::PushFont(face(Face::Strong));
+    ImGui::TextUnformatted(model.name.c_str());
+    ImGui::PopFont();
+    drawFormula(typeset(model.formula, model.parameters), points(320));
+    ImGui::TextUnformatted(model.about.c_str());
+    remark(model.citation);
+    endTooltip();
+}
+
+/// A line of the menu: name and formula, as one selectable.
+bool modelLine(const ModelText& model, bool current)
+{
+    const ImVec2 start = ImGui::GetCursorPos();
+    const float height = points(46);
+    ImGui::PushID(model.id.c_str());
+    const bool chosen = ImGui::Selectable("##model", current, 0, {0, height});
+    modelTooltip(model);
+    const ImVec2 after = ImGui::GetCursorPos();
+    ImGui::SetCursorPos({start.x + points(6), start.y + points(3)});
+    ImGui::PushFont(face(Face::Strong));
+    ImGui::TextUnformatted(model.name.c_str());
+    ImGui::PopFont();
+    ImGui::SetCursorPos({start.x + points(6), start.y + points(21)});
+    // The menu shows the first part of the formula; where R and the like are defined stands below the menu.
+    drawFormula(typeset(model.formula.substr(0, model.formula.find(",  ")), model.parameters), points(600));
+    ImGui::SetCursorPos(after);
+    if (current)
+        ImGui::SetItemDefaultFocus();
+    ImGui::PopID();
+    return chosen;
+}
+
+void modelMenu(ExplorerState& state)
+{
+    const Model& current = modelOf(state.scene);
+    rowLabel("", "Model");
+    const bool open = ImGui::BeginCombo("##model menu", current.text.name.c_str(), ImGuiComboFlags_HeightLarge);
+    if (open) {
+        for (const Model& model : catalogue())
+            if (modelLine(model.text, &model == &current))
+                state.scene.surface.model = model.id();
+        ImGui::EndCombo();
+    } else {
+        modelTooltip(current.text);
+    }
+}
+
+void drawProperty(const char* name, const DeclaredProperty& property, const char* meaning)
+{
+    const std::string text = std::string(property.holds ? "\u2713 " : "\u2717 ") + name;
+    remark(text, property.holds ? palette::good : palette::warning);
+    tooltip(std::string(meaning) + (property.holds ? " This model: yes" : " This model: no") +
+            (property.reason.empty() ? "." : ", " + property.reason + "."));
+}
+
+void drawFormulaBlock(const ModelText& model)
+{
+    drawFormula(typeset(model.formula, model.parameters), ImGui::GetContentRegionAvail().x);
+    tooltip(model.about);
+    drawProperty("reciprocal", model.reciprocal, "Reciprocal: exchanging light and viewer leaves the BRDF as it is.");
+    ImGui::SameLine(0, points(14));
+    drawProperty("passive", model.passive, "Passive: no more light leaves than arrives.");
+    ImGui::SameLine(0, points(14));
+    ImGui::PushFont(face(Face::Small));
+    const std::string citation = elided(model.citation, ImGui::GetContentRegionAvail().x);
+    ImGui::PopFont();
+    remark(citation);
+    tooltip(model.citation);
+}
+
+std::string kept(const ParameterValues::value_type& entry)
+{
+    std::vector<std::string> numbers;
+    for (const double number : entry.second)
+        numbers.push_back(general(number, 4));
+    return entry.first + " = " + joined(numbers, " ");
+}
+
+/// Values that belong to other models: they come back with them.
+void drawKeptValues(const ModelText& model, const ParameterValues& values)
+{
+    const auto isForeign = [&](const auto& entry) { return model.find(entry.first) == nullptr; };
+    if (std::none_of(values.begin(), values.end(), isForeign))
+        return;
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::quiet);
+    const bool open = ImGui::TreeNodeEx("Kept for other models", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+    ImGui::PopStyleColor();
+    tooltip("Values that this model does not use. They come back with a model that does.");
+    for (const auto& entry : values)
+        if (open && isForeign(entry))
+            remark(kept(entry));
+}
+
+} // namespace
+
+void drawSurfacePanel(ExplorerState& state)
+{
+    const Card card({2, "Surface", modelOf(state.scene).text.name,
+                     "The reflectance model: how much of the light from L leaves towards V."});
+    if (!card.isOpen())
+        return;
+    modelMenu(state);
+    const ModelText& model = modelOf(state.scene).text;
+    drawFormulaBlock(model);
+    ImGui::Dummy({0, points(2)});
+    for (const Parameter& parameter : model.parameters)
+        parameterRows(model, parameter, state);
+    drawKeptValues(model, state.scene.surface.values);
+}
+
+} // namespace reflectance::explorer

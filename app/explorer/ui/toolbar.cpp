@@ -1,0 +1,138 @@
+#include "app/explorer/ui/icons.h"
+#include "app/explorer/ui/ui.h"
+#include "app/explorer/ui/widgets.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+namespace reflectance::explorer {
+
+namespace {
+
+using Kind = Request::Kind;
+
+float buttonHeight()
+{
+    return points(32);
+}
+
+float buttonWidth(const char* label, bool withLabel)
+{
+    return withLabel ? points(38) + sizeIn(Face::Body, label).x : points(36);
+}
+
+/// Icon and word; the icon alone where the window is narrow.
+bool toolButton(Icon icon, const char* label, bool on, bool withLabel, const char* about)
+{
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const ImVec2 size{buttonWidth(label, withLabel), buttonHeight()};
+    const bool pressed = ImGui::InvisibleButton(label, size);
+    const bool hovered = ImGui::IsItemHovered();
+    tooltip(about);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (on || hovered)
+        list.AddRectFilled(start, {start.x + size.x, start.y + size.y}, ImGui::GetColorU32(on ? palette::fill : palette::raised), points(6));
+    const float middle = start.y + size.y / 2;
+    const float iconX = withLabel ? start.x + points(18) : start.x + size.x / 2;
+    drawIcon(list, icon, {iconX, middle}, points(7.5F), ImGui::GetColorU32(on ? palette::text : palette::accent));
+    if (withLabel)
+        drawText(list, Face::Body, {start.x + points(31), middle - sizeIn(Face::Body, label).y / 2}, palette::text, label);
+    ImGui::SameLine(0, points(2));
+    return pressed;
+}
+
+void openMenu(ExplorerState& state)
+{
+    if (ImGui::Selectable("Open a file\u2026"))
+        state.showFileBrowser = true;
+    tooltip("Mesh (.obj .ply .off .stl), scene (.json) or environment (.exr .hdr).  Ctrl+O");
+    ImGui::Separator();
+    remark("Built in");
+    for (const std::string& name : stockMeshes())
+        if (ImGui::Selectable(name.c_str(), state.scene.meshFile == name))
+            state.requests.push_back({Kind::OpenFile, name});
+    if (state.preferences.recentFiles.empty())
+        return;
+    ImGui::Separator();
+    remark("Recent");
+    for (const std::string& path : state.preferences.recentFiles) {
+        const std::string label = std::filesystem::path(path).filename().string() + "##" + path;
+        if (ImGui::Selectable(label.c_str()))
+            state.requests.push_back({Kind::OpenFile, path});
+        tooltip(path);
+    }
+}
+
+void drawOpenButton(ExplorerState& state, bool withLabels)
+{
+    const ImVec2 below{ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y + buttonHeight() + points(4)};
+    if (toolButton(Icon::Open, "Open", ImGui::IsPopupOpen("open menu"), withLabels, "Open a file, a built-in mesh or a recent file.  Ctrl+O"))
+        ImGui::OpenPopup("open menu");
+    ImGui::SetNextWindowPos(below);
+    ImGui::SetNextWindowSizeConstraints({points(190), 0}, {points(420), points(560)});
+    if (ImGui::BeginPopup("open menu")) {
+        openMenu(state);
+        ImGui::EndPopup();
+    }
+}
+
+constexpr std::array<const char*, 6> leftLabels = {"Open", "Frame", "Turntable", "Handles", "Picture", "Reset"};
+
+bool labelsFit(float width)
+{
+    float wanted = buttonWidth("Help", true) + points(40);
+    for (const char* label : leftLabels)
+        wanted += buttonWidth(label, true) + points(2);
+    return wanted <= width;
+}
+
+/// Name of the object, in the middle of what is left between the buttons.
+void drawTitle(const ExplorerState& state, float left, float right, float middle)
+{
+    const std::string name = state.scene.mesh ? state.scene.mesh->name : std::string();
+    ImGui::PushFont(face(Face::Strong));
+    const std::string shown = elided(name, right - left - points(24));
+    ImGui::PopFont();
+    const ImVec2 size = sizeIn(Face::Strong, shown);
+    if (right - left < points(60))
+        return;
+    drawText(*ImGui::GetWindowDrawList(), Face::Strong, {(left + right - size.x) / 2, middle - size.y / 2}, palette::text, shown);
+}
+
+} // namespace
+
+float toolbarHeight()
+{
+    return points(44);
+}
+
+void drawToolbar(ExplorerState& state)
+{
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const bool withLabels = labelsFit(width);
+    ImGui::SetCursorScreenPos({start.x, ImGui::GetWindowPos().y + std::floor((toolbarHeight() - buttonHeight()) / 2)});
+    drawOpenButton(state, withLabels);
+    if (toolButton(Icon::Frame, "Frame", false, withLabels, "Move the camera so that the object fills the view.  F"))
+        state.requests.push_back({Kind::Frame, {}});
+    if (toolButton(Icon::Turntable, "Turntable", state.turntable, withLabels, "Turn the object under its lights.  T"))
+        state.turntable = !state.turntable;
+    bool& handles = state.preferences.showLightHandles;
+    if (toolButton(Icon::Lights, "Handles", handles, withLabels, "Show the handles of the lights; drag one to move its light.  H"))
+        handles = !handles;
+    if (toolButton(Icon::Camera, "Picture", false, withLabels, "Save a picture of the view.  F12.  Ctrl+F12 saves the whole window."))
+        state.requests.push_back({Kind::SaveView, {}});
+    if (toolButton(Icon::Reset, "Reset", false, withLabels, "Back to the scene that the program opens with."))
+        state.requests.push_back({Kind::ResetScene, {}});
+    const float middle = ImGui::GetWindowPos().y + toolbarHeight() / 2;
+    const float left = ImGui::GetCursorScreenPos().x;
+    const float helpLeft = start.x + width - buttonWidth("Help", withLabels);
+    drawTitle(state, left, helpLeft, middle);
+    ImGui::SetCursorScreenPos({helpLeft, ImGui::GetCursorScreenPos().y});
+    if (toolButton(Icon::Help, "Help", state.showHelp, withLabels, "Gestures and keys.  F1"))
+        state.showHelp = !state.showHelp;
+    ImGui::NewLine();
+}
+
+} // namespace reflectance::explorer

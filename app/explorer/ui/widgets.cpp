@@ -1,0 +1,150 @@
+#include "app/explorer/ui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui_internal.h>
+
+namespace reflectance::explorer {
+
+namespace {
+
+constexpr float tooltipDelay = 0.45F; // seconds of rest
+
+/// Start of the character before `end`: bytes 10xxxxxx continue one.
+std::size_t previousCharacter(std::string_view text, std::size_t end)
+{
+    do
+        --end;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80);
+    return end;
+}
+
+} // namespace
+
+ImVec2 sizeIn(Face which, std::string_view text)
+{
+    const ImFont& font = *face(which);
+    return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text.data(), text.data() + text.size());
+}
+
+void drawText(ImDrawList& list, Face which, ImVec2 topLeft, ImU32 color, std::string_view text)
+{
+    const ImFont* font = face(which);
+    list.AddText(font, font->FontSize, {std::round(topLeft.x), std::round(topLeft.y)}, ImGui::GetColorU32(color), text.data(),
+                 text.data() + text.size());
+}
+
+bool tooltipIsDue()
+{
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        return false;
+    // A held mouse button is a drag: a tooltip would only hide what it changes.
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        return false;
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    return g.HoveredId == 0 || g.HoveredIdTimer >= tooltipDelay;
+}
+
+bool waitsForTime()
+{
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    return g.IO.WantTextInput || (g.HoveredId != 0 && g.HoveredIdTimer < tooltipDelay + 0.1F);
+}
+
+void beginTooltip()
+{
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {points(10), points(8)});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(points(340));
+}
+
+void endTooltip()
+{
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+void tooltip(std::string_view text)
+{
+    if (text.empty() || !tooltipIsDue())
+        return;
+    beginTooltip();
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    endTooltip();
+}
+
+void remark(std::string_view text, ImU32 color, Face which)
+{
+    ImGui::PushFont(face(which));
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+float symbolWidth(std::string_view symbol)
+{
+    const std::size_t bar = symbol.find('_');
+    const float base = sizeIn(Face::Italic, symbol.substr(0, bar)).x;
+    return bar == symbol.npos ? base : base + sizeIn(Face::ItalicSmall, symbol.substr(bar + 1)).x;
+}
+
+void drawSymbol(ImDrawList& list, ImVec2 baselineLeft, std::string_view symbol, ImU32 color)
+{
+    const std::size_t bar = symbol.find('_');
+    const std::string_view base = symbol.substr(0, bar);
+    drawText(list, Face::Italic, {baselineLeft.x, baselineLeft.y - face(Face::Italic)->Ascent}, color, base);
+    if (bar == symbol.npos)
+        return;
+    const float left = baselineLeft.x + sizeIn(Face::Italic, base).x;
+    const float lowered = baselineLeft.y + points(3.5F) - face(Face::ItalicSmall)->Ascent;
+    drawText(list, Face::ItalicSmall, {left, lowered}, color, symbol.substr(bar + 1));
+}
+
+void rowLabel(std::string_view symbol, std::string_view label, ImU32 color)
+{
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float labelWidth = std::round(ImGui::GetContentRegionAvail().x * 0.40F);
+    const float baseline = start.y + ImGui::GetStyle().FramePadding.y + face(Face::Body)->Ascent;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float x = start.x;
+    if (!symbol.empty()) {
+        drawSymbol(list, {x, baseline}, symbol, palette::accent);
+        x += std::max(symbolWidth(symbol) + points(6), points(24));
+    }
+    const std::string shown = elided(label, start.x + labelWidth - points(4) - x);
+    drawText(list, Face::Body, {x, start.y + ImGui::GetStyle().FramePadding.y}, color, shown);
+    ImGui::SetCursorScreenPos({start.x + labelWidth, start.y});
+    ImGui::SetNextItemWidth(-1.0F);
+}
+
+bool toggleButton(const char* label, bool on, ImVec2 size)
+{
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::fill : palette::raised);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, on ? palette::fill : palette::hovered);
+    const bool pressed = ImGui::Button(label, size);
+    ImGui::PopStyleColor(2);
+    return pressed;
+}
+
+std::string elided(std::string_view text, float width)
+{
+    const ImFont& font = *ImGui::GetFont();
+    const auto widthOf = [&](std::string_view t) {
+        return font.CalcTextSizeA(ImGui::GetFontSize(), FLT_MAX, 0.0F, t.data(), t.data() + t.size()).x;
+    };
+    if (widthOf(text) <= width)
+        return std::string(text);
+    constexpr std::string_view ellipsis = "\u2026";
+    std::size_t end = text.size();
+    while (end > 0 && widthOf(text.substr(0, end)) + widthOf(ellipsis) > width)
+        end = previousCharacter(text, end);
+    while (end > 0 && text[end - 1] == ' ')
+        --end;
+    return std::string(text.substr(0, end)) + std::string(ellipsis);
+}
+
+} // namespace reflectance::explorer
