@@ -3,16 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <tuple>
-
 namespace reflectance::explorer {
 namespace {
 
-class LayoutOf : public testing::TestWithParam<std::tuple<float, float, float, float>> {};
-
-TEST_P(LayoutOf, TilesTheWindow)
+void expectTiled(float width, float height, float panelWidth, float scale)
 {
-    const auto [width, height, panelWidth, scale] = GetParam();
+    SCOPED_TRACE(testing::Message() << width << " x " << height << ", panels " << panelWidth << ", scale " << scale);
     const Layout l = layoutOf(width, height, {44.0F, 30.0F}, panelWidth, scale);
     EXPECT_EQ(l.toolbar.width, width);
     EXPECT_EQ(l.toolbar.bottom(), l.picture.y);
@@ -26,10 +22,14 @@ TEST_P(LayoutOf, TilesTheWindow)
     EXPECT_GE(l.picture.width, 240.0F * scale);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, LayoutOf,
-                         testing::Combine(testing::Values(1200.0F, 1280.0F, 2560.0F, 3840.0F),
-                                          testing::Values(600.0F, 800.0F, 2160.0F), testing::Values(0.0F, 360.0F, 5000.0F),
-                                          testing::Values(1.0F, 1.5F, 2.0F)));
+TEST(LayoutOf, TilesTheWindow)
+{
+    for (const float width : {1200.0F, 1280.0F, 2560.0F, 3840.0F})
+        for (const float height : {600.0F, 800.0F, 2160.0F})
+            for (const float panelWidth : {0.0F, 360.0F, 5000.0F})
+                for (const float scale : {1.0F, 1.5F, 2.0F})
+                    expectTiled(width, height, panelWidth, scale);
+}
 
 TEST(LayoutOf, GivesWayInAWindowTooSmallForBoth)
 {
