@@ -68,7 +68,7 @@ bool readComponents(Bytes& bytes, std::vector<Rgbe>& line)
             for (std::size_t i = 1; i < count; ++i)
                 line[x++][component] = repeated ? first : bytes.next();
         }
-    return true;
+    return !bytes.ended();
 }
 
 /// Flat pixels; (1,1,1,k) repeats the one before k times, and 256 k times directly after another repetition.

@@ -71,21 +71,26 @@ bool readRows(PngReader& reader, png_bytepp rows)
     return true;
 }
 
-/// Linear value of each 16-bit code.
-std::vector<float> decodingTable(png_const_structp png, png_const_infop info)
+using DecodingTable = std::vector<float>; ///< linear value of each 16-bit code
+
+template <class Decode> DecodingTable tableOf(Decode decode)
 {
-    double gamma = 0.0;
-    const bool own = png_get_valid(png, info, PNG_INFO_sRGB) == 0 && png_get_gAMA(png, info, &gamma) != 0 &&
-                     gamma > 0.0 && std::fabs(gamma - 1.0 / 2.2) > 1e-3;
-    std::vector<float> table(65536);
-    for (std::size_t code = 0; code < table.size(); ++code) {
-        const double encoded = static_cast<double>(code) / 65535.0;
-        table[code] = static_cast<float>(own ? std::pow(encoded, 1.0 / gamma) : decodeSrgb(encoded));
-    }
+    DecodingTable table(65536);
+    for (std::size_t code = 0; code < table.size(); ++code)
+        table[code] = static_cast<float>(decode(static_cast<double>(code) / 65535.0));
     return table;
 }
 
-Image linearImage(const std::vector<std::uint16_t>& rgba, int width, int height, const std::vector<float>& table)
+DecodingTable decodingTable(png_const_structp png, png_const_infop info)
+{
+    static const DecodingTable srgb = tableOf(decodeSrgb);
+    double gamma = 0.0;
+    const bool own = png_get_valid(png, info, PNG_INFO_sRGB) == 0 && png_get_gAMA(png, info, &gamma) != 0 &&
+                     gamma > 0.0 && std::fabs(gamma - 1.0 / 2.2) > 1e-3;
+    return own ? tableOf([gamma](double encoded) { return std::pow(encoded, 1.0 / gamma); }) : srgb;
+}
+
+Image linearImage(const std::vector<std::uint16_t>& rgba, int width, int height, const DecodingTable& table)
 {
     Image image(width, height);
     for (std::size_t i = 0; i < image.pixels(); ++i) {
@@ -110,7 +115,7 @@ Result<Image> decodedPng(std::string_view bytes, const std::string& path)
         return size.error();
     const bool hasAlpha = (png_get_color_type(reader.png, reader.info) & PNG_COLOR_MASK_ALPHA) != 0 ||
                           png_get_valid(reader.png, reader.info, PNG_INFO_tRNS) != 0;
-    const std::vector<float> table = decodingTable(reader.png, reader.info);
+    const DecodingTable table = decodingTable(reader.png, reader.info);
     std::vector<std::uint16_t> rgba(4 * Image::pixelCount(width, height));
     std::vector<png_bytep> rows(static_cast<std::size_t>(height));
     for (std::size_t y = 0; y < rows.size(); ++y)
