@@ -1,9 +1,9 @@
 #include "core/geometry/load.h"
 
 #include "core/base/embedded.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/geometry/assemble.h"
-#include "core/geometry/file_bytes.h"
 #include "core/geometry/readers.h"
 
 #include <algorithm>
@@ -13,9 +13,6 @@
 
 namespace reflectance {
 namespace {
-
-/// Indices have 32 bits; a larger file would also need more memory than most computers have.
-constexpr std::size_t largestFile = 4'000'000'000;
 
 constexpr std::string_view stockFolder = "meshes/";
 constexpr std::string_view stockExtension = ".obj";
@@ -40,15 +37,21 @@ std::string extensionOf(const std::string& name)
     return extension.empty() ? extension : lowered(extension).substr(1);
 }
 
+/// "1 triangle", "2 triangles", "0 vertices".
+std::string counted(std::size_t count, const std::string& one, const std::string& many = "")
+{
+    return std::to_string(count) + " " + (count == 1 ? one : (many.empty() ? one + "s" : many));
+}
+
 Error noFaces(const MeshReport& report, const std::string& file)
 {
     std::string text = "has no usable faces";
     for (const DroppedFaces& dropped : report.dropped)
-        text += "; " + dropped.reason + " (" + std::to_string(dropped.count) + " times)";
+        text += "; " + dropped.reason + " (" + counted(dropped.count, "time") + ")";
     if (report.degenerateTriangles > 0)
-        text += "; " + std::to_string(report.degenerateTriangles) + " triangles have no area";
+        text += "; " + counted(report.degenerateTriangles, "triangle") + " without area";
     if (report.fileFaces == 0)
-        text += report.fileVertices == 0 ? "; nor does it have vertices" : "; it lists only points";
+        text += ": it lists " + counted(report.fileVertices, "vertex", "vertices") + " and no faces";
     return {text + "; choose a mesh with triangles or polygons", file};
 }
 
@@ -67,13 +70,13 @@ void warnOfNormals(const MeshReport& report, Warnings& warnings)
 {
     if (report.cornersWithBadNormal > 0)
         warnings.add("normals that are zero, not finite or not in the file were computed anew", 0,
-                     std::to_string(report.cornersWithBadNormal) + " corners");
+                     counted(report.cornersWithBadNormal, "corner"));
     if (report.cornersWithoutNormal > 0 && report.cornersWithFileNormal > 0)
         warnings.add("some faces have no normals; they were computed", 0,
-                     std::to_string(report.cornersWithoutNormal) + " corners");
+                     counted(report.cornersWithoutNormal, "corner"));
     if (report.flippedTriangles > 0)
         warnings.add("triangles wound against their normals were turned over", 0,
-                     std::to_string(report.flippedTriangles) + " triangles");
+                     counted(report.flippedTriangles, "triangle"));
 }
 
 Result<LoadedMesh> meshFrom(std::string_view bytes, const std::string& name, const LoadOptions& options)
@@ -131,10 +134,10 @@ Result<LoadedMesh> readMesh(std::string_view bytes, const std::string& name, con
 Result<LoadedMesh> loadMesh(const std::string& path, const LoadOptions& options)
 {
     try {
-        const auto bytes = fileBytes(path, largestFile);
+        const auto bytes = readWholeFile(path);
         if (!bytes)
             return bytes.error();
-        return meshFrom(bytes->view(), path, options);
+        return meshFrom(*bytes, path, options);
     } catch (const std::bad_alloc&) {
         return Error{"does not fit into the memory; simplify it or close other programs", path};
     }

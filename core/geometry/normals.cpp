@@ -138,6 +138,8 @@ CornerNormals fileNormals(const PolygonSoup& soup, TriangleList& list, MeshRepor
         return normals;
     }
     for (std::size_t t = 0; t < list.vertices.size(); ++t) {
+        // On coarse meshes one or two smooth normals may see a triangle from behind; if all do, its winding is wrong.
+        int along = 0;
         int against = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const Index index = list.normals[t][k];
@@ -146,9 +148,10 @@ CornerNormals fileNormals(const PolygonSoup& soup, TriangleList& list, MeshRepor
             ++(index == PolygonSoup::none ? report.cornersWithoutNormal
                                           : (isBad ? report.cornersWithBadNormal : report.cornersWithFileNormal));
             const double side = dot(normals[t][k], list.faceNormals[t]);
-            against += side < 0.0 ? 1 : (side > 0.0 ? -1 : 0);
+            along += side > 0.0 ? 1 : 0;
+            against += side < 0.0 ? 1 : 0;
         }
-        if (against > 0) {
+        if (against > 0 && along == 0) {
             turnOver(list, t);
             std::swap(normals[t][1], normals[t][2]);
             ++report.flippedTriangles;

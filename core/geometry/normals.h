@@ -9,7 +9,7 @@ namespace reflectance {
 /// For each triangle, the normals of its three corners.
 using CornerNormals = std::vector<std::array<Vec3d, 3>>;
 
-/// The file's normals, unit; (0,0,0) where there is none or a bad one (hazard H13). A triangle that most of its
+/// The file's normals, unit; (0,0,0) where there is none or a bad one (hazard H13). A triangle that all of its
 /// normals see from behind is turned over in `list`. Counts all of it in the report.
 [[nodiscard]] CornerNormals fileNormals(const PolygonSoup& soup, TriangleList& list, MeshReport& report);
 

@@ -1,6 +1,7 @@
 #include "core/geometry/ply_header.h"
 
 #include "core/base/text.h"
+#include "core/geometry/warnings.h"
 
 #include <array>
 
@@ -53,7 +54,7 @@ std::optional<std::string> readProperty(TextCursor& cursor, PlyHeader& header)
     }
     const auto type = typeNamed(word);
     if (!type)
-        return "the property type \"" + std::string(word.substr(0, 20)) + "\" is not known";
+        return "the property type " + quoted(word) + " is not known";
     property.type = *type;
     property.name = cursor.word();
     header.elements.back().properties.push_back(std::move(property));
@@ -66,7 +67,7 @@ std::optional<std::string> readElement(TextCursor& cursor, PlyHeader& header)
     element.name = cursor.word();
     const auto count = parseInteger(cursor.word());
     if (!count || *count < 0)
-        return "the number of elements \"" + element.name.substr(0, 20) + "\" is not a count";
+        return "the number of elements " + quoted(element.name) + " is not a count";
     element.count = static_cast<std::size_t>(*count);
     header.elements.push_back(std::move(element));
     return std::nullopt;
@@ -82,7 +83,7 @@ std::optional<std::string> readLine(std::string_view keyword, TextCursor& cursor
     if (keyword == "property")
         return readProperty(cursor, header);
     if (keyword != "format")
-        return "\"" + std::string(keyword.substr(0, 20)) + "\" is not a PLY header line";
+        return quoted(keyword) + " is not a PLY header line";
     const auto encoding = encodingNamed(cursor.word());
     if (!encoding)
         return "the format is none of ascii, binary_little_endian, binary_big_endian";

@@ -44,7 +44,7 @@ private:
         else if (keyword == "l" || keyword == "p")
             context_.warnings.add("lines and points are not drawn", cursor_.line());
         else if (!isSilent(keyword))
-            context_.warnings.add("a line that OBJ does not know was skipped", cursor_.line(), keyword.substr(0, 20));
+            context_.warnings.add("a line that OBJ does not know was skipped", cursor_.line(), quoted(keyword));
     }
 
     static bool isSilent(std::string_view keyword)
@@ -79,7 +79,7 @@ private:
         const long line = cursor_.line();
         while (!cursor_.atLineEnd())
             if (!readCorner()) {
-                context_.warnings.add("a face with something that is not an index", line, cursor_.word().substr(0, 20));
+                context_.warnings.add("a face with something that is not an index", line, quoted(cursor_.word()));
                 break;
             }
         soup_.faceEnds.push_back(static_cast<PolygonSoup::Index>(soup_.corners.size()));

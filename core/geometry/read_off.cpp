@@ -36,19 +36,13 @@ public:
 private:
     Result<void> readHeader()
     {
-        (void)cursor_.toNextContent();
-        if (cursor_.atEnd())
+        if (!cursor_.toNextContent())
             return Error{"holds only comments; choose a mesh file", context_.file};
         soup_.format = "OFF";
-        if (!cursor_.integer().has_value()) {
-            soup_.format = cursor_.word();
-            if (auto bad = checkKeyword(); !bad)
+        if (TextCursor ahead = cursor_; !ahead.integer()) // the keyword is optional
+            if (auto bad = readKeyword(); !bad)
                 return bad;
-            (void)cursor_.toNextContent();
-        } else {
-            cursor_ = TextCursor(text_); // the keyword is optional: the counts come first
-            (void)cursor_.toNextContent();
-        }
+        (void)cursor_.toNextContent();
         const long line = cursor_.line();
         const auto vertices = cursor_.integer();
         const auto faces = cursor_.integer();
@@ -60,21 +54,19 @@ private:
         return {};
     }
 
-    /// [ST][C][N]OFF. What else OFF knows (binary, four or more dimensions) is rare and refused by name.
-    Result<void> checkKeyword()
+    /// [ST][C][N]OFF, the counts possibly right behind it. What else OFF knows (binary, four or more dimensions) is rare
+    /// and refused by name.
+    Result<void> readKeyword()
     {
-        std::string_view prefix = soup_.format;
-        if (prefix.ends_with("OFF"))
-            prefix.remove_suffix(3);
-        for (const std::string_view part : {"ST", "C", "N"})
-            if (prefix.starts_with(part)) {
-                hasNormals_ = hasNormals_ || part == "N";
-                prefix.remove_prefix(part.size());
-            }
-        if (!prefix.empty() || !soup_.format.ends_with("OFF"))
-            return Error{"\"" + soup_.format.substr(0, 20) + "\" is no OFF variant that can be read; use OFF, NOFF or COFF",
-                         context_.file, cursor_.line()};
         TextCursor ahead = cursor_;
+        const std::string word(ahead.word());
+        if (cursor_.accept('S'))
+            (void)cursor_.accept('T');
+        (void)cursor_.accept('C');
+        hasNormals_ = cursor_.accept('N');
+        if (!cursor_.accept('O') || !cursor_.accept('F') || !cursor_.accept('F'))
+            return Error{quoted(word) + " is no OFF variant that can be read; use OFF, NOFF or COFF", context_.file, cursor_.line()};
+        soup_.format = word.substr(0, word.find("OFF") + 3);
         if (ahead.word() == "BINARY")
             return Error{"binary OFF cannot be read; save it as text", context_.file, cursor_.line()};
         return {};

@@ -130,7 +130,7 @@ private:
                 return false;
             if (values_.isCutShort() || !values_.begin()) {
                 context_.warnings.add("the file ends before everything it announces", values_.line(),
-                                      element.name.substr(0, 20) + " " + std::to_string(i) + " of " + std::to_string(element.count));
+                                      quoted(element.name) + " " + std::to_string(i) + " of " + std::to_string(element.count));
                 return true;
             }
             if (element.name == "vertex")

@@ -7,6 +7,14 @@ constexpr std::size_t shownOfEachKind = 3;
 
 } // namespace
 
+std::string quoted(std::string_view text)
+{
+    std::string result = "\"";
+    for (const char c : text.substr(0, 20))
+        result += c >= ' ' && c <= '~' ? c : '?';
+    return result + (text.size() > 20 ? "...\"" : "\"");
+}
+
 Warnings::Kind& Warnings::find(std::string_view text)
 {
     const auto [place, isNew] = places_.try_emplace(std::string(text), kinds_.size());

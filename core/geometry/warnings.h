@@ -9,6 +9,9 @@
 
 namespace reflectance {
 
+/// What a file says, fit for a message: at most 20 characters, unprintable ones as '?', in quotation marks.
+[[nodiscard]] std::string quoted(std::string_view text);
+
 class Warnings {
 public:
     /// `kind` is both the text and what counts as a repetition; `detail` is shown with the first ones.
