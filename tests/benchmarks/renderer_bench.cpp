@@ -1,0 +1,120 @@
+// Milliseconds per 1024 x 1024 picture of the default scene: shading kept samples again, and finding them, the latter
+// beside what Embree alone needs for the same rays.
+#include "core/render/cpu/cpu_renderer.h"
+#include "core/render/cpu/pixel_rays.h"
+#include "core/render/cpu/ray_scene.h"
+
+#include <benchmark/benchmark.h>
+#include <embree3/rtcore.h>
+#include <limits>
+#include <tbb/parallel_for.h>
+
+namespace reflectance {
+namespace {
+
+constexpr RenderSettings large{1024, 1024, 1};
+
+void reshade(benchmark::State& state)
+{
+    const Scene scene = defaultScene();
+    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, large);
+    const auto precision = static_cast<Precision>(state.range(0));
+    state.SetLabel(std::string(nameOf(precision)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(shadeSamples(samples, scene, precision));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(samples.count()));
+}
+BENCHMARK(reshade)->DenseRange(0, 2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void visibility(benchmark::State& state)
+{
+    const Scene scene = defaultScene();
+    const auto rays = makeRayScene(scene.mesh);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(sampleView(*rays, scene.camera, large));
+    state.SetItemsProcessed(state.iterations() * large.width * large.height);
+}
+BENCHMARK(visibility)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+struct BareEmbree {
+    RTCDevice device = rtcNewDevice(nullptr);
+    RTCScene scene = rtcNewScene(device);
+
+    explicit BareEmbree(const Mesh& mesh)
+    {
+        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+            RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
+        for (const Vec3d& p : mesh.positions)
+            for (const double coordinate : {p.x, p.y, p.z})
+                *vertices++ = static_cast<float>(coordinate);
+        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+            RTC_FORMAT_UINT3, sizeof(Mesh::Triangle), mesh.triangles.size()));
+        for (const Mesh::Triangle& triangle : mesh.triangles)
+            indices = std::copy(triangle.begin(), triangle.end(), indices);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene);
+    }
+    BareEmbree(const BareEmbree&) = delete;
+    BareEmbree& operator=(const BareEmbree&) = delete;
+    ~BareEmbree()
+    {
+        rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+    }
+};
+
+struct alignas(32) Packet {
+    RTCRayHit8 rays;
+};
+
+std::vector<Packet> packetsOf(const Camera& camera)
+{
+    const PixelRays pixelRays(camera, large);
+    std::vector<Packet> packets;
+    for (int y = 0; y < large.height; y += 2)
+        for (int x = 0; x < large.width; x += 4) {
+            Packet& packet = packets.emplace_back();
+            for (int i = 0; i < 8; ++i) {
+                const Vec3d direction = pixelRays.throughSample(x + i % 4, y + i / 4, 0);
+                packet.rays.ray.org_x[i] = static_cast<float>(camera.eye.x);
+                packet.rays.ray.org_y[i] = static_cast<float>(camera.eye.y);
+                packet.rays.ray.org_z[i] = static_cast<float>(camera.eye.z);
+                packet.rays.ray.dir_x[i] = static_cast<float>(direction.x);
+                packet.rays.ray.dir_y[i] = static_cast<float>(direction.y);
+                packet.rays.ray.dir_z[i] = static_cast<float>(direction.z);
+                packet.rays.ray.mask[i] = 0xFFFFFFFF;
+            }
+        }
+    return packets;
+}
+
+/// The same rays, ready made, and nothing done with what they meet.
+void bareEmbree(benchmark::State& state)
+{
+    const Scene scene = defaultScene();
+    const BareEmbree embree(*scene.mesh);
+    std::vector<Packet> packets = packetsOf(scene.camera);
+    alignas(32) const int valid[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    for (auto _ : state)
+        tbb::parallel_for(std::size_t{0}, packets.size() / 64, [&](std::size_t task) {
+            RTCIntersectContext context;
+            rtcInitIntersectContext(&context);
+            context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+            for (std::size_t i = 64 * task; i < 64 * (task + 1); ++i) {
+                RTCRayHit8& rays = packets[i].rays;
+                for (int lane = 0; lane < 8; ++lane) {
+                    rays.ray.tfar[lane] = std::numeric_limits<float>::infinity();
+                    rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+                }
+                rtcIntersect8(valid, embree.scene, &context, &rays);
+            }
+        });
+    state.SetItemsProcessed(state.iterations() * large.width * large.height);
+}
+BENCHMARK(bareEmbree)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+} // namespace
+} // namespace reflectance
