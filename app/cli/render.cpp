@@ -74,7 +74,7 @@ int compareWithReference(const Options& options, const Image& image)
     const auto reference = readPicture(options.reference);
     if (!reference)
         return refused(reference.error());
-    const auto metrics = compareImages(image, reference->image);
+    const auto metrics = compared(image, reference->image);
     if (!metrics)
         return refused(metrics.error());
     const bool holds = metrics->maxAbs <= options.threshold;

@@ -2,15 +2,17 @@
 
 namespace reflectance {
 
-Result<RenderSettings> checkedSettings(int width, int height, int samples)
+Result<RenderSettings> checkedSettings(int width, int height, int samplesPerPixel)
 {
     constexpr int largest = 16384;
     if (width < 1 || height < 1 || width > largest || height > largest)
         return Error{"a picture of " + std::to_string(width) + "x" + std::to_string(height) +
                      " pixels cannot be rendered; width and height go from 1 to " + std::to_string(largest)};
-    if (samples < 1 || samples > 8)
-        return Error{std::to_string(samples) + " samples per pixel axis are not possible; choose 1 to 8"};
-    return RenderSettings{width, height, samples};
+    for (int k = 1; k <= 8; ++k)
+        if (k * k == samplesPerPixel)
+            return RenderSettings{width, height, k};
+    return Error{std::to_string(samplesPerPixel) +
+                 " samples per pixel do not lie on a regular grid; choose 1, 4, 9, 16, 25, 36, 49 or 64"};
 }
 
 } // namespace reflectance

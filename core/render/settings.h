@@ -14,7 +14,7 @@ struct RenderSettings {
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 
-/// Refuses sizes outside 1 .. 16384.
-[[nodiscard]] Result<RenderSettings> checkedSettings(int width, int height, int samples);
+/// Refuses sizes outside 1 .. 16384 and sample counts other than 1, 4, 9, ... 64: k^2 samples lie on a regular grid.
+[[nodiscard]] Result<RenderSettings> checkedSettings(int width, int height, int samplesPerPixel);
 
 } // namespace reflectance

@@ -23,7 +23,7 @@ Scene defaultScene()
     scene.camera = framed(scene.camera, 1.0);
     Light key;
     key.name = "key";
-    key.direction = normalized(Vec3d(-0.55, 0.75, 0.75));
+    key.direction = normalized(Vec3d(-0.25, 0.6, 0.75));
     key.intensity = Vec3d(1.0, 0.97, 0.92);
     key.angularRadius = 4.0;
     Light fill;

@@ -196,10 +196,12 @@ TEST(CpuShading, ReportsProgressAndStopsWhenAsked)
 
 TEST(RenderSettings, RefuseWhatCannotBeRendered)
 {
-    EXPECT_TRUE(checkedSettings(1, 16384, 8));
+    ASSERT_TRUE(checkedSettings(1, 16384, 64));
+    EXPECT_EQ(checkedSettings(1, 16384, 64)->samplesPerAxis, 8);
     EXPECT_FALSE(checkedSettings(0, 100, 1));
     EXPECT_FALSE(checkedSettings(100, 16385, 1));
-    EXPECT_FALSE(checkedSettings(100, 100, 9));
+    EXPECT_FALSE(checkedSettings(100, 100, 5));
+    EXPECT_FALSE(checkedSettings(100, 100, 81));
 }
 
 } // namespace
