@@ -12,13 +12,21 @@ public:
     /// The scene must outlive the sampler.
     BackgroundSampler(const Scene& scene, const RenderSettings& settings);
 
-    /// Sum of the radiance along the rays of the pixel's samples that did not meet the object. Samples first .. last of
+    /// Sum of the radiance along the rays of a pixel's samples that did not meet the object. Samples first .. last of
     /// `samples` are the covered ones: which they are follows from where their positions project to.
-    [[nodiscard]] Vec3d sum(const ViewSamples& samples, std::size_t first, std::size_t last, int x, int y) const;
+    [[nodiscard]] Vec3d sum(const ViewSamples& samples, std::size_t first, std::size_t last, std::size_t pixel) const
+    {
+        const int uncovered = perPixel_ - static_cast<int>(last - first);
+        return uncovered == 0 || scene_.background.kind == BackgroundKind::Plain
+                   ? static_cast<double>(uncovered) * scene_.background.color
+                   : environmentSum(samples, first, last, pixel);
+    }
 
 private:
-    [[nodiscard]] std::uint64_t coveredMask(const ViewSamples& samples, std::size_t first, std::size_t last, int x, int y) const;
+    [[nodiscard]] Vec3d environmentSum(const ViewSamples& samples, std::size_t first, std::size_t last,
+                                       std::size_t pixel) const;
 
+    int perPixel_;
     const Scene& scene_;
     RenderSettings settings_;
     PixelRays rays_;

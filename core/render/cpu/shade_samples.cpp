@@ -32,26 +32,22 @@ void sumSamples(const ViewSamples& samples, const SampleShader<T>& shader, std::
     }
 }
 
-/// Writes the means of a run of pixels.
+/// Writes the means of a run of pixels: firstPixel of the band, which starts `bandOffset` pixels into the picture.
 template <class T>
-void finishPixels(const ViewSamples& samples, const BackgroundSampler& background, RowBand band, std::size_t firstPixel,
-                  std::span<const Vec3<T>> sums, Image& image)
+void finishPixels(const ViewSamples& samples, const BackgroundSampler& background, std::size_t bandOffset,
+                  std::size_t firstPixel, std::span<const Vec3<T>> sums, Image& image)
 {
-    const auto width = static_cast<std::size_t>(image.width);
-    const auto perPixel = static_cast<T>(samples.settings.samplesPerAxis * samples.settings.samplesPerAxis);
+    const int perPixel = samples.settings.samplesPerAxis * samples.settings.samplesPerAxis;
+    const T weight = T(1) / static_cast<T>(perPixel);
     for (std::size_t i = 0; i < sums.size(); ++i) {
-        const std::size_t pixel = firstPixel + i;
-        const int x = static_cast<int>(pixel % width);
-        const int y = band.first + static_cast<int>(pixel / width);
-        const std::size_t first = samples.firstOfPixel[pixel];
-        const std::size_t last = samples.firstOfPixel[pixel + 1];
-        const Vec3<T> mean = (sums[i] + Vec3<T>(background.sum(samples, first, last, x, y))) / perPixel;
-        float* rgb = image.at(x, y);
-        rgb[0] = static_cast<float>(mean.x);
-        rgb[1] = static_cast<float>(mean.y);
-        rgb[2] = static_cast<float>(mean.z);
-        image.coverage[Image::pixelCount(image.width, y) + static_cast<std::size_t>(x)] =
-            static_cast<float>(last - first) / static_cast<float>(perPixel);
+        const std::size_t first = samples.firstOfPixel[firstPixel + i];
+        const std::size_t last = samples.firstOfPixel[firstPixel + i + 1];
+        const std::size_t pixel = bandOffset + firstPixel + i;
+        const Vec3<T> mean = (sums[i] + Vec3<T>(background.sum(samples, first, last, pixel))) * weight;
+        image.rgb[3 * pixel] = static_cast<float>(mean.x);
+        image.rgb[3 * pixel + 1] = static_cast<float>(mean.y);
+        image.rgb[3 * pixel + 2] = static_cast<float>(mean.z);
+        image.coverage[pixel] = static_cast<float>(static_cast<int>(last - first)) / static_cast<float>(perPixel);
     }
 }
 
@@ -61,6 +57,7 @@ void shadeWith(const Kernel<T>& kernel, const ViewSamples& samples, RowBand band
 {
     const SampleShader<T> shader(samples, scene, kernel);
     const BackgroundSampler background(scene, samples.settings);
+    const std::size_t bandOffset = Image::pixelCount(image.width, band.first);
     const std::size_t pixels = Image::pixelCount(image.width, band.rows);
     const std::size_t tasks = (pixels + pixelsPerTask - 1) / pixelsPerTask;
     tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
@@ -70,7 +67,7 @@ void shadeWith(const Kernel<T>& kernel, const ViewSamples& samples, RowBand band
         std::array<Vec3<T>, pixelsPerTask> buffer{};
         const auto sums = std::span(buffer).first(std::min(pixelsPerTask, pixels - first));
         sumSamples<T>(samples, shader, first, sums);
-        finishPixels<T>(samples, background, band, first, sums, image);
+        finishPixels<T>(samples, background, bandOffset, first, sums, image);
         stretch.advance(1.0 / static_cast<double>(tasks));
     });
 }
