@@ -10,7 +10,7 @@ namespace {
 
 void drawBadge(ImDrawList& list, ImVec2 centre, int number)
 {
-    list.AddCircleFilled(centre, points(11), ImGui::GetColorU32(palette::fill));
+    list.AddCircleFilled(centre, points(11), ImGui::GetColorU32(palette::chosen));
     const std::string digit = std::to_string(number);
     const ImVec2 size = sizeIn(Face::Strong, digit);
     drawText(list, Face::Strong, {centre.x - size.x / 2, centre.y - size.y / 2}, palette::text, digit);

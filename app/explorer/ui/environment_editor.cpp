@@ -34,7 +34,7 @@ void drawKindMenu(ExplorerState& state)
 {
     Environment& environment = state.scene.environment;
     rowLabel("", "Environment");
-    const bool open = ImGui::BeginCombo("##environment", nameOf(environment.kind));
+    const bool open = beginMenu("##environment", nameOf(environment.kind));
     tooltip("The light that surrounds the object.");
     if (!open)
         return;
@@ -95,16 +95,13 @@ void drawRotation(Environment& environment, std::optional<Message>& message)
 
 void drawBackground(Background& background)
 {
+    constexpr std::array<Choice, 2> choices = {{ // in the order of BackgroundKind
+        {"plain", "A dark neutral grey behind the object."},
+        {"environment", "Show the environment behind the object."},
+    }};
     rowLabel("", "Background");
-    const float gap = points(2);
-    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-    if (toggleButton("plain", background.kind == BackgroundKind::Plain, {width, 0}))
-        background.kind = BackgroundKind::Plain;
-    tooltip("A dark neutral grey behind the object.");
-    ImGui::SameLine(0, gap);
-    if (toggleButton("environment##background", background.kind == BackgroundKind::Environment, {width, 0}))
-        background.kind = BackgroundKind::Environment;
-    tooltip("Show the environment behind the object.");
+    if (const int pressed = choiceRow(choices, static_cast<int>(background.kind)); pressed >= 0)
+        background.kind = static_cast<BackgroundKind>(pressed);
 }
 
 } // namespace
@@ -121,14 +118,12 @@ void drawEnvironmentEditor(ExplorerState& state)
     drawKindMenu(state);
     const bool looksAtIt = modelOf(scene).text.usesEnvironment;
     const bool seen = looksAtIt || scene.background.kind == BackgroundKind::Environment;
-    if (scene.environment.kind != EnvironmentKind::None) {
-        ImGui::BeginDisabled(!seen);
+    if (seen && scene.environment.kind != EnvironmentKind::None) {
         if (scene.environment.kind == EnvironmentKind::Map)
             drawFile(state);
         drawRadiance(scene.environment, state.message);
         if (scene.environment.kind != EnvironmentKind::Constant)
             drawRotation(scene.environment, state.message);
-        ImGui::EndDisabled();
     }
     drawBackground(scene.background);
     if (!looksAtIt)

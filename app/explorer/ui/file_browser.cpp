@@ -198,7 +198,7 @@ void drawContents(ExplorerState& state)
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::well);
-    ImGui::BeginChild("folder", {0, listHeight}, true);
+    ImGui::BeginChild("folder", {0, listHeight}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::PopStyleColor();
     if (!listing.problem.empty())
         remark(listing.problem, palette::error, Face::Body);

@@ -23,11 +23,11 @@ struct FaceDescription {
 };
 
 constexpr std::array<FaceDescription, 5> faces = {{
-    {"regular", 15.0F},
-    {"strong", 15.0F},
-    {"regular", 12.5F},
-    {"italic", 16.0F},
-    {"italic", 11.5F},
+    {"regular", 14.0F},
+    {"strong", 14.0F},
+    {"regular", 12.0F},
+    {"italic", 15.0F},
+    {"italic", 11.0F},
 }};
 
 // Latin with accents, Greek and Cyrillic (file names), punctuation, super- and subscripts, arrows, signs, shapes.
@@ -42,7 +42,7 @@ std::string_view bytesOf(std::string_view name)
     return found->bytes;
 }
 
-/// Gives all digits the width of the widest, so that changing numbers do not shake.
+/// Gives all digits the width of the widest, so that values do not shake while they change.
 void makeFiguresTabular(ImFont& font)
 {
     float widest = 0.0F;
@@ -89,8 +89,7 @@ void loadFonts(float scale)
                                    std::round(description.size * scale), &config, glyphRanges);
     }
     atlas.Build();
-    for (ImFont* font : atlas.Fonts)
-        makeFiguresTabular(*font);
+    makeFiguresTabular(*face(Face::Body));
 }
 
 } // namespace explorer

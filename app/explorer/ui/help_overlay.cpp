@@ -59,14 +59,15 @@ void drawHelp(ExplorerState& state)
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {points(20), points(16)});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(38, 38, 38, 250));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::floating);
     ImGui::Begin("Gestures and keys", &state.showHelp, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
     drawTable();
     ImGui::Dummy({0, points(4)});
     remark("Vectors: N normal, L to the light, V to the viewer, R = L mirrored about N. Typeface: Inter, SIL Open Font License.");
     ImGui::End();
     ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 } // namespace reflectance::explorer

@@ -14,7 +14,13 @@ namespace reflectance::explorer {
 namespace {
 
 constexpr const char* degrees = "\u00B0";
-const Light freshLight; // defaults for double-clicks
+
+/// What double-clicks go back to.
+const Light& freshLight()
+{
+    static const Light light;
+    return light;
+}
 
 void drawNameAndKind(Light& light)
 {
@@ -22,15 +28,12 @@ void drawNameAndKind(Light& light)
     ImGui::InputText("##name", &light.name);
     tooltip("The light's name, for messages and scene files.");
     rowLabel("", "Kind");
-    const float gap = points(2);
-    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-    if (toggleButton("directional", light.kind == LightKind::Directional, {width, 0}))
-        light.kind = LightKind::Directional;
-    tooltip("Like the sun: the same direction L and intensity I everywhere.");
-    ImGui::SameLine(0, gap);
-    if (toggleButton("point", light.kind == LightKind::Point, {width, 0}))
-        light.kind = LightKind::Point;
-    tooltip("Stands somewhere: I / r\u00B2 arrives at distance r. The object's bounding sphere has radius 1.");
+    constexpr std::array<Choice, 2> kinds = {{ // in the order of LightKind
+        {"directional", "Like the sun: the same direction L and intensity I everywhere."},
+        {"point", "Stands somewhere: I / r\u00B2 arrives at distance r. The object's bounding sphere has radius 1."},
+    }};
+    if (const int pressed = choiceRow(kinds, static_cast<int>(light.kind)); pressed >= 0)
+        light.kind = static_cast<LightKind>(pressed);
 }
 
 NumberRow angleRow(const char* name, const char* symbol, const char* label, double limit, const char* about)
@@ -74,11 +77,11 @@ bool drawAngles(LightAngles& angles, const LightAngles& initial, bool withDistan
     return changed;
 }
 
-bool drawComponents(const char* label, const char* about, double range, Vec3d& v, const Vec3d& initial, std::optional<Message>& message)
+bool drawComponents(const char* symbol, const char* label, const char* about, double range, Vec3d& v, const Vec3d& initial, std::optional<Message>& message)
 {
     constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
     constexpr std::array<double Vec3d::*, 3> members = {&Vec3d::x, &Vec3d::y, &Vec3d::z};
-    rowLabel("", label);
+    rowLabel(symbol, label);
     const float gap = points(4);
     const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
     bool changed = false;
@@ -97,14 +100,21 @@ bool drawComponents(const char* label, const char* about, double range, Vec3d& v
     return changed;
 }
 
+void drawPlace(Light& light, std::optional<Message>& message)
+{
+    const bool isPoint = light.kind == LightKind::Point;
+    Vec3d& place = isPoint ? light.position : light.direction;
+    LightAngles angles = anglesOf(place);
+    if (!isPoint)
+        angles.distance = 1.0;
+    if (drawAngles(angles, anglesOf(isPoint ? freshLight().position : freshLight().direction), isPoint, message))
+        place = vectorOf(angles);
+}
+
 void drawDirection(Light& light, std::optional<Message>& message)
 {
-    LightAngles angles = anglesOf(light.direction);
-    angles.distance = 1.0;
-    if (drawAngles(angles, anglesOf(freshLight.direction), false, message))
-        light.direction = vectorOf(angles);
     Vec3d typed = normalized(light.direction);
-    if (!drawComponents("L", "Direction to the light, of any length but 0.", 1.0, typed, normalized(freshLight.direction), message))
+    if (!drawComponents("L", "Direction", "To the light; kept at length 1. It cannot be (0, 0, 0).", 1.0, typed, normalized(freshLight().direction), message))
         return;
     if (typed == Vec3d())
         message = Message{"A direction cannot be (0, 0, 0); give one of x, y, z another value first", true};
@@ -114,10 +124,7 @@ void drawDirection(Light& light, std::optional<Message>& message)
 
 void drawPosition(Light& light, std::optional<Message>& message)
 {
-    LightAngles angles = anglesOf(light.position);
-    if (drawAngles(angles, anglesOf(freshLight.position), true, message))
-        light.position = vectorOf(angles);
-    drawComponents("Position", "Where the light stands; the object's bounding sphere has radius 1.", 4.0, light.position, freshLight.position, message);
+    drawComponents("", "Position", "Where the light stands; the object's bounding sphere has radius 1.", 4.0, light.position, freshLight().position, message);
 }
 
 /// The tint survives strength 0, although intensity = strength * tint does not.
@@ -161,7 +168,7 @@ void drawTint(Light& light, const Vec3d& tint)
             general(light.intensity.y, 4) + ", " + general(light.intensity.z, 4) + "), linear.");
 }
 
-void drawRadius(Light& light, const Model& model, std::optional<Message>& message)
+void drawRadius(Light& light, bool counts, std::optional<Message>& message)
 {
     NumberRow row;
     row.name = "angular radius";
@@ -171,10 +178,10 @@ void drawRadius(Light& light, const Model& model, std::optional<Message>& messag
     row.sliderMax = 20.0;
     row.legalMin = 0.0;
     row.legalMax = 90.0;
-    ImGui::BeginDisabled(!model.text.usesLightSize);
+    ImGui::BeginDisabled(!counts);
     numberRow(row, light.angularRadius, message);
     ImGui::EndDisabled();
-    if (!model.text.usesLightSize)
+    if (!counts)
         remark("Only " + modelsThat(&ModelText::usesLightSize) + " looks at the radius.");
     else if (light.angularRadius == 0.0)
         remark("Radius 0: no view direction meets this light, so it adds nothing.", palette::warning);
@@ -199,15 +206,22 @@ void drawLightEditor(ExplorerState& state)
     Light& light = state.scene.lights[static_cast<std::size_t>(index)];
     ImGui::PushID("light editor");
     ImGui::PushID(index);
-    drawNameAndKind(light);
     const Vec3d tint = tintToEdit(light, index, state.panels);
     drawStrength(light, tint, state.message);
     drawTint(light, tint);
-    if (light.kind == LightKind::Directional)
-        drawDirection(light, state.message);
-    else
-        drawPosition(light, state.message);
-    drawRadius(light, modelOf(state.scene), state.message);
+    drawPlace(light, state.message);
+    const bool radiusCounts = modelOf(state.scene).text.usesLightSize;
+    if (radiusCounts)
+        drawRadius(light, true, state.message);
+    if (fold("Name, kind, vector", "What is needed less often: name, kind, the vector itself, the radius.")) {
+        drawNameAndKind(light);
+        if (light.kind == LightKind::Directional)
+            drawDirection(light, state.message);
+        else
+            drawPosition(light, state.message);
+        if (!radiusCounts)
+            drawRadius(light, false, state.message);
+    }
     ImGui::PopID();
     ImGui::PopID();
 }

@@ -54,17 +54,22 @@ void drawName(ExplorerState& state, int index, float width)
 {
     const Light& light = state.scene.lights[static_cast<std::size_t>(index)];
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    if (ImGui::Selectable("##select", state.selectedLight == index, 0, {width, ImGui::GetFrameHeight()}))
+    const float height = ImGui::GetFrameHeight();
+    if (ImGui::InvisibleButton("select", {width, height}))
         state.selectedLight = index;
+    if (state.selectedLight == index || ImGui::IsItemHovered())
+        ImGui::GetWindowDrawList()->AddRectFilled(start, {start.x + width, start.y + height},
+                                                  ImGui::GetColorU32(state.selectedLight == index ? palette::chosen : palette::raised),
+                                                  ImGui::GetStyle().FrameRounding);
     tooltip("Select " + light.name + ": its controls are below, its handle in the view is highlighted.");
     const bool shines = light.on && (state.soloLight < 0 || state.soloLight == index);
     const ImVec2 kindSize = sizeIn(Face::Small, "directional");
     const std::string shown = elided(light.name, width - kindSize.x - points(16));
-    const float middle = start.y + ImGui::GetFrameHeight() / 2;
+    const float middle = start.y + height / 2;
     drawText(*ImGui::GetWindowDrawList(), Face::Body, {start.x + points(6), middle - ImGui::GetFontSize() / 2}, shines ? palette::text : palette::quiet, shown);
     const char* kind = light.kind == LightKind::Directional ? "directional" : "point";
     const float kindLeft = start.x + width - sizeIn(Face::Small, kind).x - points(6);
-    drawText(*ImGui::GetWindowDrawList(), Face::Small, {kindLeft, middle - kindSize.y / 2}, palette::quiet, kind);
+    drawText(*ImGui::GetWindowDrawList(), Face::Small, {kindLeft, middle - kindSize.y / 2}, state.selectedLight == index ? palette::text : palette::quiet, kind);
 }
 
 /// Returns true where the light is to be removed.

@@ -11,40 +11,25 @@ namespace reflectance::explorer {
 
 namespace {
 
-struct ModeButton {
-    MatrixMode mode;
-    const char* label;
-    const char* about;
-};
-
-constexpr std::array<ModeButton, 3> modeButtons = {{
-    {MatrixMode::Scalar, "scalar", "One number for all sensors: a grey surface. Going back restores the colours."},
-    {MatrixMode::Diagonal, "diagonal", "One number per sensor, as if the filters did not overlap: a cheat, and the usual one. "
-                                       "Off-diagonals are remembered."},
-    {MatrixMode::Full, "full", "All nine numbers: the sensor's filters overlap, so each sensor sees something of every light primary."},
+constexpr std::array<Choice, 3> modes = {{ // in the order of MatrixMode
+    {"scalar", "One number for all sensors: a grey surface. Going back restores the colours."},
+    {"diagonal", "One number per sensor, as if the filters did not overlap: a cheat, and the usual one. "
+                 "Off-diagonals are remembered."},
+    {"full", "All nine numbers: the sensor's filters overlap, so each sensor sees something of every light primary."},
 }};
 
 constexpr std::array<const char*, 3> letters = {"R", "G", "B"};
 constexpr std::array<const char*, 3> names = {"red", "green", "blue"};
 constexpr std::array<ImU32, 3> inks = {IM_COL32(232, 132, 124, 255), IM_COL32(136, 198, 136, 255), IM_COL32(132, 170, 240, 255)};
 
-bool modeButtonsRow(MatrixValues& K, MatrixMemory& memory)
+bool drawModes(MatrixValues& K, MatrixMemory& memory)
 {
-    const MatrixMode mode = modeOf(K, memory);
-    const float gap = points(2);
-    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-    bool changed = false;
-    for (const ModeButton& button : modeButtons) {
-        if (toggleButton(button.label, button.mode == mode, {width, 0})) {
-            const MatrixValues before = K;
-            K = switched(K, button.mode, memory);
-            changed |= K != before;
-        }
-        tooltip(button.about);
-        if (button.mode != MatrixMode::Full)
-            ImGui::SameLine(0, gap);
-    }
-    return changed;
+    const int pressed = choiceRow(modes, static_cast<int>(modeOf(K, memory)));
+    if (pressed < 0)
+        return false;
+    const MatrixValues before = K;
+    K = switched(K, static_cast<MatrixMode>(pressed), memory);
+    return K != before;
 }
 
 void centredLetter(ImVec2 topLeft, float width, float height, std::string_view text, ImU32 color, Face which)
@@ -140,7 +125,7 @@ void drawModeRemark(const MatrixValues& K, MatrixMode mode, const MatrixMemory& 
     const double dropped = offDiagonalShare(mode == MatrixMode::Full || !memory.wider ? K : *memory.wider);
     const std::string share = "\u03A3|off| / \u03A3|diag| = " + general(dropped, 3);
     if (mode == MatrixMode::Full)
-        remark("A diagonal would drop the off-diagonals: " + share + ".");
+        remark("A diagonal would drop " + share + ".");
     else if (dropped > 0.0)
         remark("A " + std::string(mode == MatrixMode::Diagonal ? "diagonal" : "scalar") + " K is a cheat: it drops the overlap of the filters, " + share + ".",
                palette::warning);
@@ -157,7 +142,7 @@ bool matrixEditor(const Parameter& parameter, std::vector<double>& values, Explo
     MatrixValues K;
     std::copy_n(values.begin(), 9, K.begin());
     rowLabel(parameter.symbol, parameter.label);
-    bool changed = modeButtonsRow(K, memory);
+    bool changed = drawModes(K, memory);
     const MatrixMode mode = modeOf(K, memory);
     changed |= mode == MatrixMode::Scalar ? drawScalar(parameter, K, state) : drawGrid(parameter, mode, K, state);
     drawModeRemark(K, mode, memory);

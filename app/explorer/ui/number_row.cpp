@@ -1,6 +1,7 @@
 #include "app/explorer/ui/number_row.h"
 
 #include "app/explorer/ui/formula_view.h"
+#include "app/explorer/ui/numerals.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/base/text.h"
 
@@ -28,6 +29,16 @@ float shareOf(const NumberRow& row, double value)
     return static_cast<float>(std::clamp(share, 0.0, 1.0));
 }
 
+/// Two ticks, above and below the digits, so that the mark of the value never covers the value.
+void drawTicks(ImDrawList& list, float x, float top, float height)
+{
+    const float tick = points(4);
+    const float half = points(1);
+    const ImU32 color = ImGui::GetColorU32(palette::accent);
+    list.AddRectFilled({x - half, top}, {x + half, top + tick}, color);
+    list.AddRectFilled({x - half, top + height - tick}, {x + half, top + height}, color);
+}
+
 /// The well and its filled part, which grows from 0 where the range has both signs.
 void drawWell(const NumberRow& row, double value, ImVec2 topLeft, ImVec2 size)
 {
@@ -39,11 +50,13 @@ void drawWell(const NumberRow& row, double value, ImVec2 topLeft, ImVec2 size)
     const float here = shareOf(row, value);
     const float from = topLeft.x + size.x * std::min(zero, here);
     const float to = topLeft.x + size.x * std::max(zero, here);
-    if (to - from < 1.0F)
-        return;
-    list.PushClipRect({from, topLeft.y}, {to, bottomRight.y}, true);
-    list.AddRectFilled(topLeft, bottomRight, ImGui::GetColorU32(palette::fill), rounding);
-    list.PopClipRect();
+    if (to - from >= 1.0F) {
+        list.PushClipRect({from, topLeft.y}, {to, bottomRight.y}, true);
+        list.AddRectFilled(topLeft, bottomRight, ImGui::GetColorU32(palette::fill), rounding);
+        list.PopClipRect();
+    }
+    const float mark = topLeft.x + std::clamp(size.x * here, points(2), size.x - points(2));
+    drawTicks(list, mark, topLeft.y, size.y);
 }
 
 void drawRange(const NumberRow& row, ImVec2 topLeft, ImVec2 size)
@@ -89,18 +102,18 @@ std::string refusal(const NumberRow& row, double value)
            (row.unit.empty() ? "" : " " + row.unit);
 }
 
-/// Slider, reset and check; the well has been drawn. The slider's own frame stays clear except while text is typed.
+/// Slider, reset and check; the well has been drawn. The slider's own frame and grab stay clear.
 bool editedBySlider(const NumberRow& row, double& value, std::optional<Message>& message)
 {
     double edited = value;
     const std::string format = formatFor(row);
-    for (const ImGuiCol color : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive})
+    for (const ImGuiCol color : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
         ImGui::PushStyleColor(color, IM_COL32_BLACK_TRANS);
-    ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, points(3));
+    ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 1.0F); // so that the fill ends where the mouse is
     const ImGuiSliderFlags flags = row.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
     bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &edited, &row.sliderMin, &row.sliderMax, format.c_str(), flags);
     ImGui::PopStyleVar();
-    ImGui::PopStyleColor(3);
+    ImGui::PopStyleColor(5);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         ImGui::ClearActiveID(); // else the held button would go on dragging from where it is
         edited = row.initial;
@@ -122,7 +135,7 @@ std::string rangeEnd(double value)
 {
     if (std::isinf(value))
         return value > 0 ? "\u221E" : "\u2212\u221E";
-    const std::string digits = general(std::abs(value), 4);
+    const std::string digits = written(std::abs(value), 4);
     return value < 0 ? "\u2212" + digits : digits;
 }
 

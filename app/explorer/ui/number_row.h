@@ -31,7 +31,7 @@ bool numberRow(const NumberRow& row, double& value, std::optional<Message>& mess
 /// The slider alone, `width` pixels wide, without symbol, label and range.
 bool numberField(const NumberRow& row, double& value, float width, std::optional<Message>& message);
 
-/// "0", "1e7", "∞": ends of ranges as they are written beside a slider.
+/// "0", "10⁷", "∞": ends of ranges as they are written beside a slider.
 [[nodiscard]] std::string rangeEnd(double value);
 
 } // namespace reflectance::explorer

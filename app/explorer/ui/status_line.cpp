@@ -34,7 +34,7 @@ void drawPart(const StatusPart& part, PartForm form, ImVec2 topLeft)
     ImGui::Dummy({size.x, statusLineHeight()});
     const bool hovered = ImGui::IsItemHovered();
     tooltip(part.about);
-    const ImU32 color = hovered ? palette::text : part.warns ? palette::warning : palette::quiet;
+    const ImU32 color = hovered ? palette::text : part.isNews ? palette::accent : palette::quiet;
     drawText(*ImGui::GetWindowDrawList(), Face::Small, {topLeft.x, ImGui::GetWindowPos().y + (statusLineHeight() - size.y) / 2}, color, text);
 }
 

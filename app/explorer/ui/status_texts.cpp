@@ -1,5 +1,6 @@
 #include "app/explorer/ui/status_texts.h"
 
+#include "app/explorer/ui/numerals.h"
 #include "core/base/text.h"
 #include "core/scene/requirements.h"
 
@@ -44,31 +45,18 @@ StatusPart pricePart(const PriceTag& tag)
 {
     const std::string time = tag.name + " " + duration(tag.milliseconds);
     const bool isTruth = tag.name == "double";
-    const std::string error = isTruth ? ", exact" : ", error " + general(tag.maxError, 2);
+    const std::string error = isTruth ? ", exact" : ", error " + written(tag.maxError, 2);
     std::string about = tag.name + ": shading the whole picture once takes " + duration(tag.milliseconds) + ".\n";
     if (isTruth)
         about += "This is the truth that the others are measured against.";
     else
-        about += "Largest difference of a linear channel to the double picture: " + general(tag.maxError, 3) + "; RMSE " + general(tag.rmse, 3) + ".";
+        about += "Largest difference of a linear channel to the double picture: " + written(tag.maxError, 3) + "; RMSE " + written(tag.rmse, 3) + ".";
     if (tag.worstX >= 0)
         about += "\nWorst at pixel (" + std::to_string(tag.worstX) + ", " + std::to_string(tag.worstY) + ").";
     return {time + error, time, about, isTruth ? 2 : 4, false};
 }
 
 } // namespace
-
-std::string grouped(std::size_t count)
-{
-    std::string text = std::to_string(count);
-    for (std::size_t left = text.size(); left > 3; left -= 3)
-        text.insert(left - 3, "\u2009");
-    return text;
-}
-
-std::string duration(double milliseconds)
-{
-    return milliseconds < 1000.0 ? general(milliseconds, 3) + " ms" : general(milliseconds / 1000.0, 3) + " s";
-}
 
 std::vector<StatusPart> pictureParts(const ExplorerState& state)
 {

@@ -14,7 +14,7 @@ struct StatusPart {
     std::string brief; ///< where there is little room
     std::string about; ///< tooltip: everything, in sentences
     int weight = 0;    ///< parts of small weight are shortened first, and then left out
-    bool warns = false;
+    bool isNews = false; ///< worth a look
 };
 
 /// Left: what is shown and how fast. Right: what was left out, and the price tags.
@@ -31,10 +31,5 @@ struct PartWidth {
 
 /// Shortens, then drops, parts in the order of their weight until all fit.
 [[nodiscard]] std::vector<PartForm> formsThatFit(std::span<const PartWidth> parts, float available);
-
-/// 69451 as "69 451", with a narrow space.
-[[nodiscard]] std::string grouped(std::size_t count);
-/// "0.34 ms", "12.3 ms", "1.24 s".
-[[nodiscard]] std::string duration(double milliseconds);
 
 } // namespace reflectance::explorer

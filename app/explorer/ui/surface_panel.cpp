@@ -53,7 +53,7 @@ void modelMenu(ExplorerState& state)
 {
     const Model& current = modelOf(state.scene);
     rowLabel("", "Model");
-    const bool open = ImGui::BeginCombo("##model menu", current.text.name.c_str(), ImGuiComboFlags_HeightLarge);
+    const bool open = beginMenu("##model menu", current.text.name.c_str());
     if (open) {
         for (const Model& model : catalogue())
             if (modelLine(model.text, &model == &current))
@@ -101,10 +101,7 @@ void drawKeptValues(const ModelText& model, const ParameterValues& values)
     const auto isForeign = [&](const auto& entry) { return model.find(entry.first) == nullptr; };
     if (std::none_of(values.begin(), values.end(), isForeign))
         return;
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::quiet);
-    const bool open = ImGui::TreeNodeEx("Kept for other models", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
-    ImGui::PopStyleColor();
-    tooltip("Values that this model does not use. They come back with a model that does.");
+    const bool open = fold("Kept for other models", "Values that this model does not use. They come back with a model that does.");
     for (const auto& entry : values)
         if (open && isForeign(entry))
             remark(kept(entry));

@@ -47,7 +47,7 @@ void setGrounds(ImVec4* colors)
 {
     colors[ImGuiCol_WindowBg] = vector(palette::ground);
     colors[ImGuiCol_ChildBg] = faded(palette::ground, 0.0F);
-    colors[ImGuiCol_PopupBg] = vector(IM_COL32(44, 44, 44, 255));
+    colors[ImGuiCol_PopupBg] = vector(palette::floating);
     colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.45F);
     colors[ImGuiCol_NavWindowingDimBg] = ImVec4(0, 0, 0, 0.45F);
     colors[ImGuiCol_MenuBarBg] = vector(palette::ground);
@@ -76,7 +76,7 @@ void setControls(ImVec4* colors)
     colors[ImGuiCol_FrameBgActive] = vector(IM_COL32(30, 30, 30, 255));
     colors[ImGuiCol_Button] = vector(palette::raised);
     colors[ImGuiCol_ButtonHovered] = vector(palette::hovered);
-    colors[ImGuiCol_ButtonActive] = vector(palette::fill);
+    colors[ImGuiCol_ButtonActive] = vector(palette::chosen);
     colors[ImGuiCol_Header] = faded(palette::accent, 0.24F);
     colors[ImGuiCol_HeaderHovered] = ImVec4(1, 1, 1, 0.08F);
     colors[ImGuiCol_HeaderActive] = faded(palette::accent, 0.32F);

@@ -32,7 +32,7 @@ bool toolButton(Icon icon, const char* label, bool on, bool withLabel, const cha
     tooltip(about);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (on || hovered)
-        list.AddRectFilled(start, {start.x + size.x, start.y + size.y}, ImGui::GetColorU32(on ? palette::fill : palette::raised), points(6));
+        list.AddRectFilled(start, {start.x + size.x, start.y + size.y}, ImGui::GetColorU32(on ? palette::chosen : palette::raised), points(6));
     const float middle = start.y + size.y / 2;
     const float iconX = withLabel ? start.x + points(18) : start.x + size.x / 2;
     drawIcon(list, icon, {iconX, middle}, points(7.5F), ImGui::GetColorU32(on ? palette::text : palette::accent));

@@ -107,13 +107,13 @@ void drawSymbol(ImDrawList& list, ImVec2 baselineLeft, std::string_view symbol, 
 void rowLabel(std::string_view symbol, std::string_view label, ImU32 color)
 {
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float labelWidth = std::round(ImGui::GetContentRegionAvail().x * 0.40F);
+    const float labelWidth = std::round(ImGui::GetContentRegionAvail().x * 0.46F);
     const float baseline = start.y + ImGui::GetStyle().FramePadding.y + face(Face::Body)->Ascent;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float x = start.x;
     if (!symbol.empty()) {
         drawSymbol(list, {x, baseline}, symbol, palette::accent);
-        x += std::max(symbolWidth(symbol) + points(6), points(24));
+        x += std::max(symbolWidth(symbol) + points(5), points(20));
     }
     const std::string shown = elided(label, start.x + labelWidth - points(4) - x);
     drawText(list, Face::Body, {x, start.y + ImGui::GetStyle().FramePadding.y}, color, shown);
@@ -123,11 +123,54 @@ void rowLabel(std::string_view symbol, std::string_view label, ImU32 color)
 
 bool toggleButton(const char* label, bool on, ImVec2 size)
 {
-    ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::fill : palette::raised);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, on ? palette::fill : palette::hovered);
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::chosen : palette::raised);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, on ? palette::chosen : palette::hovered);
     const bool pressed = ImGui::Button(label, size);
     ImGui::PopStyleColor(2);
     return pressed;
+}
+
+int choiceRow(std::span<const Choice> choices, int current)
+{
+    const float gap = points(2);
+    const auto count = static_cast<float>(choices.size());
+    float textWidth = 0.0F;
+    for (const Choice& choice : choices)
+        textWidth += sizeIn(Face::Body, choice.label).x;
+    const float padding = (ImGui::GetContentRegionAvail().x - textWidth - (count - 1.0F) * gap) / count;
+    int pressed = -1;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0F, ImGui::GetStyle().FramePadding.y});
+    for (int i = 0; i < static_cast<int>(choices.size()); ++i) {
+        const Choice& choice = choices[static_cast<std::size_t>(i)];
+        if (i > 0)
+            ImGui::SameLine(0, gap);
+        if (toggleButton(choice.label, i == current, {sizeIn(Face::Body, choice.label).x + padding, 0}))
+            pressed = i;
+        tooltip(choice.about);
+    }
+    ImGui::PopStyleVar();
+    return pressed;
+}
+
+bool fold(const char* label, const char* about)
+{
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::quiet);
+    ImGui::PushFont(face(Face::Small));
+    const bool open = ImGui::TreeNodeEx(label, ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+    tooltip(about);
+    return open;
+}
+
+bool beginMenu(const char* id, const char* shown)
+{
+    // The arrow belongs to the field; a button of its own would be one thing too many to look at.
+    ImGui::PushStyleColor(ImGuiCol_Button, palette::well);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::well);
+    const bool open = ImGui::BeginCombo(id, shown, ImGuiComboFlags_HeightLargest);
+    ImGui::PopStyleColor(2);
+    return open;
 }
 
 std::string elided(std::string_view text, float width)

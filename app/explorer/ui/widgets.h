@@ -4,6 +4,7 @@
 #include "app/explorer/ui/fonts.h"
 #include "app/explorer/ui/theme.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -35,8 +36,23 @@ void rowLabel(std::string_view symbol, std::string_view label, ImU32 color = pal
 /// Button that is drawn pressed while `on`.
 bool toggleButton(const char* label, bool on, ImVec2 size = {});
 
+/// One of a row of buttons of which one is chosen.
+struct Choice {
+    const char* label;
+    const char* about;
+};
+
+/// The row fills the width that is left, shared out by the labels' lengths. Returns the index that was pressed, or -1.
+int choiceRow(std::span<const Choice> choices, int current);
+
+/// A menu that drops down from a field; while it returns true, draw the entries and end with ImGui::EndCombo().
+[[nodiscard]] bool beginMenu(const char* id, const char* shown);
+
 /// Text shortened with an ellipsis to at most `width` pixels of the current face; whole where it fits.
 [[nodiscard]] std::string elided(std::string_view text, float width);
+
+/// A quiet line that opens and closes what follows; returns whether it is open.
+[[nodiscard]] bool fold(const char* label, const char* about);
 
 /// Text width in a face.
 [[nodiscard]] ImVec2 sizeIn(Face which, std::string_view text);
