@@ -139,8 +139,13 @@ void runLoop(Session& session)
     FramePace pace;
     Clock::time_point last = Clock::now();
     while (!session.quit && !session.window.closing()) {
-        pace.waited(session.window.wait(pace.secondsToWait(reasonsOf(session))));
+        const double seconds = pace.secondsToWait(reasonsOf(session));
+        const Clock::time_point asleep = Clock::now();
+        const bool happened = session.window.wait(seconds);
         const Clock::time_point now = Clock::now();
+        if (!happened && std::chrono::duration<double>(now - asleep).count() < seconds)
+            continue; // woken for nothing
+        pace.waited(happened);
         turnTable(session, std::chrono::duration<double>(now - last).count());
         last = now;
         drawOnce(session);

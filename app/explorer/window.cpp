@@ -84,6 +84,7 @@ struct WindowState {
     GLFWwindow* window = nullptr;
     ImGuiContext* gui = nullptr;
     Events events;
+    std::string title;
     bool happened = false;
     bool shown = false;
     float chosenScale = 0.0F; ///< 0: the monitor's
@@ -192,7 +193,7 @@ Result<Window> Window::open(int width, int height, float scale)
 
 bool Window::wait(double seconds)
 {
-    if (seconds <= 0.0 || state_->happened)
+    if (seconds <= 0.0)
         glfwPollEvents();
     else if (std::isinf(seconds))
         glfwWaitEvents();
@@ -214,7 +215,8 @@ bool Window::closing() const
 
 void Window::setTitle(const std::string& title)
 {
-    glfwSetWindowTitle(state_->window, title.c_str());
+    if (std::exchange(state_->title, title) != title) // the window manager answers with an event, which would be a frame
+        glfwSetWindowTitle(state_->window, title.c_str());
 }
 
 void Window::beginFrame()

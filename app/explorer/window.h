@@ -43,7 +43,7 @@ public:
     ~Window();
 
     /// Sleeps until something happens, at most so many seconds; 0 only looks. Infinity sleeps without end.
-    /// True if something happened.
+    /// True if something happened; false after the time, and after news from the desktop that concern no picture.
     bool wait(double seconds);
     [[nodiscard]] Events takeEvents();
     [[nodiscard]] bool closing() const;
