@@ -6,7 +6,10 @@
 
 namespace reflectance {
 
-[[nodiscard]] inline double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+[[nodiscard]] inline double radians(double degrees)
+{
+    return degrees * std::numbers::pi / 180.0;
+}
 
 /// (2 sin(a/2))^2 for an angle a in degrees: the squared chord between two unit vectors that are a apart.
 [[nodiscard]] inline double squaredChord(double degrees)

@@ -39,7 +39,8 @@ void holdAgainst(const Image& truth, const Image& image, PriceTag& tag)
             ++covered;
             for (int channel = 0; channel < 3; ++channel) {
                 const double difference = double{image.at(x, y)[channel]} - double{truth.at(x, y)[channel]};
-                const double error = std::isnan(difference) ? std::numeric_limits<double>::infinity() : std::fabs(difference);
+                const double error =
+                    std::isnan(difference) ? std::numeric_limits<double>::infinity() : std::fabs(difference);
                 squares += error * error;
                 if (error > tag.maxError) {
                     tag.maxError = error;
@@ -58,7 +59,8 @@ void measureCpu(const Scene& scene, const RenderSettings& settings, int repetiti
     for (const Precision precision : {Precision::Double, Precision::Float, Precision::Simd}) {
         Image image;
         PriceTag& tag = tags.emplace_back();
-        tag.name = precision == Precision::Simd ? std::string("simd (") + lanesName() + ")" : std::string(nameOf(precision));
+        tag.name =
+            precision == Precision::Simd ? std::string("simd (") + lanesName() + ")" : std::string(nameOf(precision));
         tag.milliseconds = medianMilliseconds(repetitions, [&] { image = shadeSamples(samples, scene, precision); });
         if (precision == Precision::Double)
             truth = std::move(image);

@@ -13,7 +13,7 @@ namespace reflectance {
 struct PriceTag {
     std::string name;          ///< "double", "float", "simd (avx2)", "gl"
     double milliseconds = 0.0; ///< one re-shading of the kept samples: median of the repetitions
-    double maxError = 0.0;     ///< largest absolute difference of a linear channel to the double picture of the same samples
+    double maxError = 0.0;     ///< largest absolute difference of a linear channel to double on the same samples
     double rmse = 0.0;         ///< over all channels of the covered pixels
     int worstX = -1, worstY = -1; ///< pixel of maxError; -1 where there is none
 };

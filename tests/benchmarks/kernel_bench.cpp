@@ -38,7 +38,12 @@ template <class T> struct Rows {
 
     [[nodiscard]] ShadeBatch<T> batch()
     {
-        return {numbers[0].size(), at(0), at(3), at(6), at(9), numbers[12].data(),
+        return {numbers[0].size(),
+                at(0),
+                at(3),
+                at(6),
+                at(9),
+                numbers[12].data(),
                 {numbers[13].data(), numbers[14].data(), numbers[15].data()}};
     }
 
@@ -83,8 +88,7 @@ template <class T> void shadeByPow(const double* values, const ShadeBatch<T>& ba
     }
 }
 
-template <class T>
-void run(benchmark::State& state, void (*shade)(const double*, const ShadeBatch<T>&))
+template <class T> void run(benchmark::State& state, void (*shade)(const double*, const ShadeBatch<T>&))
 {
     Rows<T> rows(static_cast<std::size_t>(state.range(0)));
     const std::vector<double> values = hybridValues();
@@ -100,12 +104,30 @@ const Model& hybrid()
     return **findModel("hybrid");
 }
 
-void powDouble(benchmark::State& state) { run<double>(state, shadeByPow<double>); }
-void powFloat(benchmark::State& state) { run<float>(state, shadeByPow<float>); }
-void kernelDouble(benchmark::State& state) { run<double>(state, hybrid().exact.shade); }
-void kernelFloat(benchmark::State& state) { run<float>(state, hybrid().single.shade); }
-void kernelSimd(benchmark::State& state) { run<float>(state, hybrid().lanes.shade); }
-void kernelSse2(benchmark::State& state) { run<float>(state, lanesKernelsSse2()[&hybrid() - catalogue().data()].shade); }
+void powDouble(benchmark::State& state)
+{
+    run<double>(state, shadeByPow<double>);
+}
+void powFloat(benchmark::State& state)
+{
+    run<float>(state, shadeByPow<float>);
+}
+void kernelDouble(benchmark::State& state)
+{
+    run<double>(state, hybrid().exact.shade);
+}
+void kernelFloat(benchmark::State& state)
+{
+    run<float>(state, hybrid().single.shade);
+}
+void kernelSimd(benchmark::State& state)
+{
+    run<float>(state, hybrid().lanes.shade);
+}
+void kernelSse2(benchmark::State& state)
+{
+    run<float>(state, lanesKernelsSse2()[&hybrid() - catalogue().data()].shade);
+}
 
 // 2^13 rows stay in the second-level cache, 2^18 do not.
 BENCHMARK(powDouble)->Arg(1 << 13)->Arg(1 << 18);

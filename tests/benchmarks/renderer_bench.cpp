@@ -43,13 +43,13 @@ struct BareEmbree {
     explicit BareEmbree(const Mesh& mesh)
     {
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-            RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
+        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
         for (const Vec3d& p : mesh.positions)
             for (const double coordinate : {p.x, p.y, p.z})
                 *vertices++ = static_cast<float>(coordinate);
-        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
-            RTC_FORMAT_UINT3, sizeof(Mesh::Triangle), mesh.triangles.size()));
+        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Mesh::Triangle), mesh.triangles.size()));
         for (const Mesh::Triangle& triangle : mesh.triangles)
             indices = std::copy(triangle.begin(), triangle.end(), indices);
         rtcCommitGeometry(geometry);

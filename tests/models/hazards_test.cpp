@@ -84,7 +84,8 @@ TEST_P(Hazard, H08_TheHighlightFallsSteadily)
         const OracleCase c = phong(1e6, up, {std::sin(offset), 0, std::cos(offset)}, 1.0);
         const double now = ask(c).x;
         const OracleAnswer truth = oracle(c, eps());
-        const double slack = GetParam() == Precision::Double ? 0.0 : 4.0 * eps() * (truth.sensitivity.x + truth.value.x);
+        const double slack =
+            GetParam() == Precision::Double ? 0.0 : 4.0 * eps() * (truth.sensitivity.x + truth.value.x);
         EXPECT_LE(now, before + slack) << offset;
         if (GetParam() == Precision::Double) {
             EXPECT_LT(now, before) << offset;
@@ -124,7 +125,8 @@ TEST_P(Hazard, H11_H12_LengthsDoNotMatter)
         extreme.V = 0x1p900 * unit.V;
         extreme.lights[0].L = 0x1p-900 * unit.lights[0].L;
         // Lengths that are powers of two leave no rounding to differ by.
-        EXPECT_EQ(evaluated(model.id(), {}, extreme, GetParam()), evaluated(model.id(), {}, unit, GetParam())) << model.id();
+        EXPECT_EQ(evaluated(model.id(), {}, extreme, GetParam()), evaluated(model.id(), {}, unit, GetParam()))
+            << model.id();
     }
 }
 
@@ -142,7 +144,9 @@ TEST_P(Hazard, H18_OnTheHorizonNothingShines)
 {
     for (const double n : {0.0, 1.0, 40.0, 1e7}) {
         EXPECT_EQ(ask(phong(n, {1, 0, 0}, {-1, 0, 0})), Vec3d());
-        EXPECT_EQ(ask({"hybrid", {{"K", {1, 0, 0, 0, 1, 0, 0, 0, 1}}, {"ks", {1.0}}, {"n", {n}}}, up, {1, 0, 0}, {-1, 0, 0}}), Vec3d());
+        EXPECT_EQ(
+            ask({"hybrid", {{"K", {1, 0, 0, 0, 1, 0, 0, 0, 1}}, {"ks", {1.0}}, {"n", {n}}}, up, {1, 0, 0}, {-1, 0, 0}}),
+            Vec3d());
     }
     EXPECT_EQ(ask({"mirror", {{"reflectance", {1.0}}}, up, {1, 0, 0}, {-1, 0, 0}, {1, 1, 1}, 10.0}), Vec3d());
 }
@@ -186,8 +190,9 @@ TEST_P(Hazard, H23_APermutationMovesTheChannels)
 TEST_P(Hazard, H24_AnAlbedoAboveOneIsComputedAsItIs)
 {
     EXPECT_EQ(ask({"lambert", {{"kd", {1.5}}}, up, up, up}), Vec3d(1.5, 1.5, 1.5));
-    EXPECT_EQ(evaluated("lambert_color", {{"K", {1, 1, 1, 0, 2, 0, 0, 0, 3}}}, {up, up, {{up, {1, 1, 1}, 0.0}}}, GetParam()),
-              Vec3d(3, 2, 3));
+    EXPECT_EQ(
+        evaluated("lambert_color", {{"K", {1, 1, 1, 0, 2, 0, 0, 0, 3}}}, {up, up, {{up, {1, 1, 1}, 0.0}}}, GetParam()),
+        Vec3d(3, 2, 3));
 }
 
 TEST_P(Hazard, H42_ManyLightsAddUpInAnyOrder)
@@ -207,7 +212,8 @@ TEST_P(Hazard, H42_ManyLightsAddUpInAnyOrder)
     EXPECT_NEAR(forwards, sum, 1024.0 * eps() * sum);
     EXPECT_NEAR(backwards, forwards, 1024.0 * eps() * sum);
     row.lights.insert(row.lights.begin() + 7, {up, {0, 0, 0}, 0.0});
-    EXPECT_EQ(evaluated("lambert", {{"kd", {1.0}}}, row, GetParam()).x, backwards) << "a black light adds exactly nothing";
+    EXPECT_EQ(evaluated("lambert", {{"kd", {1.0}}}, row, GetParam()).x, backwards)
+        << "a black light adds exactly nothing";
 }
 
 TEST_P(Hazard, H74_AZeroTermChangesNotOneBit)

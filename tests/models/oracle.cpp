@@ -123,8 +123,8 @@ struct Formula {
 const Formula& formulaOf(const std::string& model)
 {
     static const std::map<std::string, Formula> formulas = {
-        {"lambert", {{"kd"}, lambert}},     {"lambert_color", {{"K"}, lambertColor}},
-        {"mirror", {{"reflectance"}, mirror}}, {"phong", {{"ks", "n"}, phong}},
+        {"lambert", {{"kd"}, lambert}},         {"lambert_color", {{"K"}, lambertColor}},
+        {"mirror", {{"reflectance"}, mirror}},  {"phong", {{"ks", "n"}, phong}},
         {"hybrid", {{"K", "ks", "n"}, hybrid}},
     };
     return formulas.at(model);

@@ -25,8 +25,8 @@ struct OracleCase {
 struct OracleAnswer {
     Vec3d value;     ///< the true value, rounded to double
     Vec3d remainder; ///< what that rounding left: value + remainder has 32 digits
-    /// How far the value moves per unit roundoff: the sum over all inputs of |change| / eps, where each component of N, L
-    /// and V is moved by eps of the vector's length, and I, radius and parameters by eps of themselves. kappa |value|.
+    /// How far the value moves per unit roundoff, kappa |value|: the sum over all inputs of |change| / eps, where each
+    /// component of N, L and V is moved by eps of the vector's length, everything else by eps of itself.
     Vec3d sensitivity;
 };
 

@@ -16,7 +16,9 @@ std::string described(const OracleCase& c)
 {
     std::ostringstream text;
     text.precision(17);
-    const auto vector = [&](const char* name, const Vec3d& v) { text << name << " = " << v.x << ' ' << v.y << ' ' << v.z << "; "; };
+    const auto vector = [&](const char* name, const Vec3d& v) {
+        text << name << " = " << v.x << ' ' << v.y << ' ' << v.z << "; ";
+    };
     vector("N", c.N);
     vector("L", c.L);
     vector("V", c.V);
@@ -47,11 +49,12 @@ TEST_P(EveryModel, StaysWithinTheBoundOfItsArithmetic)
     std::cout << model << ' ' << nameOf(precision) << ": worst ratio to the bound " << worst << '\n';
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Oracle, EveryModel,
-    testing::Combine(testing::Values("lambert", "lambert_color", "mirror", "phong", "hybrid"),
-                     testing::Values(Precision::Double, Precision::Float, Precision::Simd)),
-    [](const auto& given) { return std::get<0>(given.param) + "_" + std::string(nameOf(std::get<1>(given.param))); });
+INSTANTIATE_TEST_SUITE_P(Oracle, EveryModel,
+                         testing::Combine(testing::Values("lambert", "lambert_color", "mirror", "phong", "hybrid"),
+                                          testing::Values(Precision::Double, Precision::Float, Precision::Simd)),
+                         [](const auto& given) {
+                             return std::get<0>(given.param) + "_" + std::string(nameOf(std::get<1>(given.param)));
+                         });
 
 TEST(Oracle, CoversTheWholeCatalogue)
 {
@@ -64,9 +67,10 @@ TEST(Oracle, GivesThePublishedPowersOfCosines)
     struct Figure {
         double angle, n, value;
     };
-    for (const auto& [angle, n, value] : {Figure{1e-3, 1e6, 0.6065306091684}, Figure{1e-4, 1e7, 0.951229424421},
-                                          Figure{1e-3, 1e7, 0.00673794138413}}) {
-        const OracleCase c{"phong", {{"ks", {1.0}}, {"n", {n}}}, {0, 0, 1}, {0, 0, 1}, {std::sin(angle), 0, std::cos(angle)}};
+    for (const auto& [angle, n, value] :
+         {Figure{1e-3, 1e6, 0.6065306091684}, Figure{1e-4, 1e7, 0.951229424421}, Figure{1e-3, 1e7, 0.00673794138413}}) {
+        const OracleCase c{
+            "phong", {{"ks", {1.0}}, {"n", {n}}}, {0, 0, 1}, {0, 0, 1}, {std::sin(angle), 0, std::cos(angle)}};
         // The figures are printed to 12 or 13 digits.
         EXPECT_NEAR(oracle(c, 0x1p-53).value.x / value, 1.0, 1e-11);
         EXPECT_NEAR(evaluated(c, Precision::Double).x / value, 1.0, 1e-11);

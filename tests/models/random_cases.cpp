@@ -82,8 +82,11 @@ std::vector<OracleCase> randomCases(const std::string& model, std::size_t count)
         std::vector<double> K(9);
         for (double& entry : K)
             entry = dice.uniform(-0.4, 1.0);
-        c.parameters = {{"kd", {dice.uniform(0.0, 1.5)}}, {"reflectance", {dice.uniform(0.0, 1.5)}},
-                        {"ks", {dice.uniform(0.0, 2.0)}}, {"n", {randomExponent(dice, row)}}, {"K", K}};
+        c.parameters = {{"kd", {dice.uniform(0.0, 1.5)}},
+                        {"reflectance", {dice.uniform(0.0, 1.5)}},
+                        {"ks", {dice.uniform(0.0, 2.0)}},
+                        {"n", {randomExponent(dice, row)}},
+                        {"K", K}};
     }
     return cases;
 }

@@ -16,7 +16,8 @@ std::string objText(const Mesh& mesh, const Vec3d& offset, double scale)
     std::string text;
     char line[128];
     for (const Vec3d& p : mesh.positions) {
-        std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", scale * p.x + offset.x, scale * p.y + offset.y, scale * p.z + offset.z);
+        std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", scale * p.x + offset.x, scale * p.y + offset.y,
+                      scale * p.z + offset.z);
         text += line;
     }
     for (const Vec3d& n : mesh.normals) {

@@ -34,7 +34,8 @@ template <class Closed> double worstAgainst(const Image& image, const Scene& sce
                 continue;
             const Vec3d expected = closed(N, V);
             const float* rgb = image.at(x, y);
-            worst = std::max({worst, std::fabs(rgb[0] - expected.x), std::fabs(rgb[1] - expected.y), std::fabs(rgb[2] - expected.z)});
+            worst = std::max({worst, std::fabs(rgb[0] - expected.x), std::fabs(rgb[1] - expected.y),
+                              std::fabs(rgb[2] - expected.z)});
         }
     return worst;
 }
@@ -50,7 +51,9 @@ TEST(CpuShading, LambertIsTheCosine)
     scene.surface.values["kd"] = {0.5};
     scene.lights[0].intensity = {1.0, 2.0, 0.5};
     const Vec3d L = normalized(scene.lights[0].direction);
-    const auto closed = [&](const Vec3d& N, const Vec3d&) { return 0.5 * std::max(0.0, dot(N, L)) * scene.lights[0].intensity; };
+    const auto closed = [&](const Vec3d& N, const Vec3d&) {
+        return 0.5 * std::max(0.0, dot(N, L)) * scene.lights[0].intensity;
+    };
     for (const Precision precision : precisions)
         // The light of 2 doubles the tessellation's error, kd halves it again.
         EXPECT_LE(worstAgainst(renderOnCpu(scene, small, precision), scene, closed), tessellation) << nameOf(precision);
@@ -67,7 +70,8 @@ TEST(CpuShading, PhongPutsItsHighlightWhereTheMirrorDirectionIs)
     };
     for (const Precision precision : precisions)
         // R turns twice as far as N, and the lobe's steepest slope is sqrt(n / e) = 2.7.
-        EXPECT_LE(worstAgainst(renderOnCpu(scene, small, precision), scene, closed), 6.0 * tessellation) << nameOf(precision);
+        EXPECT_LE(worstAgainst(renderOnCpu(scene, small, precision), scene, closed), 6.0 * tessellation)
+            << nameOf(precision);
     // The planted fault: the same check must see a light that stands one degree elsewhere.
     scene.lights[0].direction = scene.lights[0].direction + Vec3d(0.03, 0.0, 0.0);
     EXPECT_GT(worstAgainst(renderOnCpu(scene, small, Precision::Double), scene, closed), 20.0 * tessellation);
@@ -84,7 +88,8 @@ TEST(CpuShading, PointLightsFallWithTheSquareOfTheDistance)
         return Vec3d(std::max(0.0, dot(N, normalized(d))) / dot(d, d));
     };
     for (const Precision precision : precisions)
-        EXPECT_LE(worstAgainst(renderOnCpu(scene, small, precision), scene, closed), 2.0 * tessellation) << nameOf(precision);
+        EXPECT_LE(worstAgainst(renderOnCpu(scene, small, precision), scene, closed), 2.0 * tessellation)
+            << nameOf(precision);
 }
 
 TEST(CpuShading, APointLightOnTheSurfaceStaysFinite)
@@ -174,7 +179,8 @@ TEST(CpuShading, BandsLeaveNoSeam)
     // 2048 x 40 with 8 x 8 samples is more than one band holds.
     const Scene scene = sphereScene("lambert", 16);
     const RenderSettings settings{2048, 40, 8};
-    const Image whole = shadeSamples(sampleView(*makeRayScene(scene.mesh), scene.camera, settings), scene, Precision::Simd);
+    const Image whole =
+        shadeSamples(sampleView(*makeRayScene(scene.mesh), scene.camera, settings), scene, Precision::Simd);
     const Image banded = renderOnCpu(scene, settings, Precision::Simd);
     EXPECT_EQ(banded.rgb, whole.rgb);
     EXPECT_EQ(banded.coverage, whole.coverage);

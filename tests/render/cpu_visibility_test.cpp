@@ -53,7 +53,8 @@ TEST(CpuVisibility, SamplesLieOnTheirRays)
             if (samples.firstOfPixel[pixel + 1] - first != 4)
                 continue;
             for (std::uint32_t s = 0; s < 4; ++s) {
-                const Vec3d ray = rayThrough(scene.camera, x + (s % 2 + 0.5) / 2.0, y + (s / 2 + 0.5) / 2.0, small.width, small.height);
+                const Vec3d ray = rayThrough(scene.camera, x + (s % 2 + 0.5) / 2.0, y + (s / 2 + 0.5) / 2.0,
+                                             small.width, small.height);
                 const Vec3d off = cross(position(samples, first + s) - scene.camera.eye, ray);
                 // Where the float ray chose the neighbour, the point is moved by float rounding; elsewhere by 1e-15.
                 ASSERT_LE(length(off), 1e-6);
@@ -70,7 +71,7 @@ TEST(CpuVisibility, CoverageIsTheAreaOfTheDisc)
     const double perUnit = 100.0 * 4.0 / std::tan(scene.camera.fieldOfView * std::numbers::pi / 360.0);
     const double radius = perUnit * std::tan(std::asin(0.25));
     const double area = std::numbers::pi * radius * radius;
-    // A lattice count of a disc is off by less than its perimeter times a fraction of a cell; the polygon loses h^2 / 8.
+    // A lattice count of a disc is off by less than its perimeter times a fraction of a cell; the mesh loses h^2 / 8.
     EXPECT_NEAR(static_cast<double>(samples.count()), area, 0.1 * 2.0 * std::numbers::pi * radius + area * 2e-4);
     EXPECT_EQ(samples.firstOfPixel.size(), 200U * 200U + 1U);
     EXPECT_EQ(samples.firstOfPixel.back(), samples.count());

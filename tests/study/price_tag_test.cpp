@@ -1,5 +1,5 @@
-#include "core/study/price_tag.h"
 #include "core/render/headless/headless_context.h"
+#include "core/study/price_tag.h"
 #include "tests/render/sphere.h"
 
 #include <gtest/gtest.h>

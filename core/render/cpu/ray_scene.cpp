@@ -20,8 +20,8 @@ double radiusOf(const Mesh& mesh)
 void attachTriangles(RTCDevice device, RTCScene scene, const Mesh& mesh)
 {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                                 3 * sizeof(float), mesh.positions.size()));
     for (const Vec3d& p : mesh.positions)
         for (const double coordinate : {p.x, p.y, p.z})
             *vertices++ = static_cast<float>(coordinate);

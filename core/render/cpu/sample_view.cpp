@@ -30,7 +30,8 @@ struct Hits {
 };
 
 /// Traces sample s of 4 x 2 pixels: neighbours share most of their way through Embree's tree.
-void tracePixels(const RayScene& rays, const PixelRays& pixelRays, int left, int top, int s, RayPacket& packet, Hits& hits)
+void tracePixels(const RayScene& rays, const PixelRays& pixelRays, int left, int top, int s, RayPacket& packet,
+                 Hits& hits)
 {
     const auto inside = [&](int x, int y) { return x < hits.width && y < hits.band.first + hits.band.rows; };
     for (int i = 0; i < 8; ++i) {
