@@ -52,9 +52,10 @@ glm::dmat4 viewFromWorld(const Camera& camera)
 
 glm::dmat4 clipFromView(const Camera& camera, double aspect, double sceneRadius)
 {
-    const double distance = length(camera.eye);
-    const double far = distance + 1.01 * sceneRadius;
-    const double near = std::max(distance - 1.01 * sceneRadius, far * 1e-4);
+    // The depth of the origin, not its distance: a panned camera does not look at it.
+    const double depth = dot(camera.eye, frameOf(camera).back);
+    const double far = std::max(depth + 1.01 * sceneRadius, 0.01 * sceneRadius);
+    const double near = std::max(depth - 1.01 * sceneRadius, far * 1e-4);
     const double f = 1.0 / halfHeight(camera);
     glm::dmat4 m(0.0);
     m[0][0] = f / aspect;

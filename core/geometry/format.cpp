@@ -1,3 +1,4 @@
+#include "core/base/text.h"
 #include "core/geometry/readers.h"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ std::optional<Format> formatOf(std::string_view bytes, std::string_view extensio
         return Format::Stl;
     if (!isText(bytes))
         return extension == "stl" ? std::optional(Format::Stl) : std::nullopt;
-    if (word == "solid" || word == "facet")
+    if (lowered(word) == "solid" || lowered(word) == "facet")
         return Format::Stl;
     if (isOffWord(word) || extension == "off")
         return Format::Off;

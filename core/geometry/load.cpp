@@ -82,7 +82,7 @@ void warnOfNormals(const MeshReport& report, Warnings& warnings)
 Result<LoadedMesh> meshFrom(std::string_view bytes, const std::string& name, const LoadOptions& options)
 {
     MeshReport report;
-    ReadContext context{name, {}, options.progress, options.cancel};
+    ReadContext context{name, {}, options.progress, options.cancel, 0.0, 0.4};
     Stopwatch watch;
     auto soup = readSoup(bytes, extensionOf(name), context);
     if (!soup)
@@ -91,12 +91,16 @@ Result<LoadedMesh> meshFrom(std::string_view bytes, const std::string& name, con
     report.notes = soup->notes;
     report.readSeconds = watch.lap();
 
+    context.stepBegins = 0.4;
+    context.stepEnds = 0.6;
     auto list = trianglesOf(*soup, context, report);
     if (!list)
         return list.error();
     if (list->vertices.empty())
         return noFaces(report, name);
     report.triangulateSeconds = watch.lap();
+    if (!context.goOn(1.0))
+        return context.stopped();
 
     CornerNormals normals = fileNormals(*soup, *list, report);
     warnOfNormals(report, context.warnings);
@@ -109,6 +113,8 @@ Result<LoadedMesh> meshFrom(std::string_view bytes, const std::string& name, con
     mesh->name = std::filesystem::path(name).stem().string();
     report.normalsSeconds = watch.lap();
     report.warnings = context.warnings.list();
+    if (options.progress)
+        options.progress->store(1.0, std::memory_order_relaxed);
     return LoadedMesh{std::move(mesh), std::move(report)};
 }
 

@@ -12,7 +12,8 @@
 namespace reflectance {
 
 struct LoadOptions {
-    double creaseAngleDegrees = 45.0; ///< edges that bend by more stay sharp where normals are computed
+    double creaseAngleDegrees = 55.0; ///< edges that bend by more stay sharp where normals are computed: of a scan
+                                      ///< no rough spot, of a six-sided prism every edge
     bool recomputeNormals = false;    ///< compute them even where the file gives some
     std::atomic<double>* progress = nullptr;   ///< 0 .. 1, for another thread to watch
     const std::atomic<bool>* cancel = nullptr; ///< set by another thread to give up; the Error then says so

@@ -1,3 +1,4 @@
+#include "core/base/text.h"
 #include "core/geometry/readers.h"
 #include "core/geometry/text_cursor.h"
 
@@ -39,7 +40,7 @@ private:
         if (!cursor_.toNextContent())
             return Error{"holds only comments; choose a mesh file", context_.file};
         soup_.format = "OFF";
-        if (TextCursor ahead = cursor_; !ahead.integer()) // the keyword is optional
+        if (TextCursor ahead = cursor_; !parseInteger(ahead.word())) // the keyword is optional
             if (auto bad = readKeyword(); !bad)
                 return bad;
         (void)cursor_.toNextContent();

@@ -14,14 +14,16 @@ namespace reflectance {
 struct ReadContext {
     std::string file; ///< as errors name it
     Warnings warnings;
-    std::atomic<double>* progress = nullptr;   ///< 0 .. 1, of reading alone
+    std::atomic<double>* progress = nullptr;   ///< 0 .. 1, of the whole way from file to mesh
     const std::atomic<bool>* cancel = nullptr; ///< set by another thread to stop
 
-    /// To be called now and then; false when reading is to stop.
+    double stepBegins = 0.0, stepEnds = 1.0;   ///< the present step's share of `progress`
+
+    /// To be called now and then, with how much of the step is done (0 .. 1); false when the work is to stop.
     [[nodiscard]] bool goOn(double done) const
     {
         if (progress)
-            progress->store(done, std::memory_order_relaxed);
+            progress->store(stepBegins + done * (stepEnds - stepBegins), std::memory_order_relaxed);
         return !(cancel && cancel->load(std::memory_order_relaxed));
     }
 

@@ -148,7 +148,7 @@ Result<TriangleList> trianglesOf(const PolygonSoup& soup, ReadContext& context, 
 {
     FaceSorter sorter(soup, context, report);
     for (std::size_t face = 0; face < soup.faceCount(); ++face) {
-        if (face % 65536 == 0 && context.cancel && context.cancel->load(std::memory_order_relaxed))
+        if (face % 65536 == 0 && !context.goOn(static_cast<double>(face) / static_cast<double>(soup.faceCount())))
             return context.stopped();
         sorter.add(face);
     }

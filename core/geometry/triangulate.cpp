@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace reflectance {
 namespace {
@@ -49,7 +50,7 @@ std::vector<Point> flattened(std::span<const Vec3d> polygon)
     return points;
 }
 
-/// Finds reflex corners inside a rectangle: only they can lie in an ear.
+/// Finds reflex corners inside a triangle: only they can make it no ear.
 class ReflexGrid {
 public:
     ReflexGrid(const std::vector<Point>& points, const std::vector<Index>& reflex)
@@ -58,9 +59,12 @@ public:
             low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
             high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
         }
-        side_ = std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(reflex.size()))), std::size_t{1},
-                           std::size_t{1024});
-        cellEnds_.assign(side_ * side_ + 1, 0);
+        // About one corner per cell, and cells about as wide as high.
+        const double count = static_cast<double>(reflex.size() + 1);
+        const double shape = std::clamp((high_.x - low_.x) / std::max(high_.y - low_.y, 1e-300), 1.0 / count, count);
+        columns_ = std::max(std::size_t{1}, static_cast<std::size_t>(std::sqrt(count * shape)));
+        rows_ = std::max(std::size_t{1}, static_cast<std::size_t>(std::sqrt(count / shape)));
+        cellEnds_.assign(columns_ * rows_ + 1, 0);
         for (const Index i : reflex)
             ++cellEnds_[cellOf(points[i]) + 1];
         for (std::size_t c = 1; c < cellEnds_.size(); ++c)
@@ -71,36 +75,61 @@ public:
             members_[next[cellOf(points[i])]++] = i;
     }
 
-    /// True when `test` holds for some corner in or near the rectangle; adds what it looked at to `cost`.
-    template <class Test> bool any(const Point& low, const Point& high, std::size_t& cost, Test test) const
+    /// True when `test` holds for some corner in or near the triangle; adds what it looked at to `cost`.
+    template <class Test> bool any(const std::array<Point, 3>& triangle, std::size_t& cost, Test test) const
     {
-        for (std::size_t row = place(low.y, low_.y, high_.y); row <= place(high.y, low_.y, high_.y); ++row)
-            for (std::size_t column = place(low.x, low_.x, high_.x); column <= place(high.x, low_.x, high_.x); ++column) {
-                const std::size_t cell = row * side_ + column;
+        const auto [lowest, highest] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
+        for (std::size_t row = rowOf(lowest); row <= rowOf(highest); ++row) {
+            const auto [left, right] = extentIn(triangle, row);
+            for (std::size_t cell = row * columns_ + columnOf(left); cell <= row * columns_ + columnOf(right); ++cell) {
                 cost += 1 + cellEnds_[cell + 1] - cellEnds_[cell];
                 for (Index m = cellEnds_[cell]; m < cellEnds_[cell + 1]; ++m)
                     if (test(members_[m]))
                         return true;
             }
+        }
         return false;
     }
 
 private:
-    std::size_t place(double value, double low, double high) const
+    /// The least and the greatest x of the triangle within a row: a long thin one meets few cells.
+    std::pair<double, double> extentIn(const std::array<Point, 3>& triangle, std::size_t row) const
+    {
+        // A little more than the row, so that rounding excludes no corner.
+        const double height = (high_.y - low_.y) / static_cast<double>(rows_);
+        const double bottom = low_.y + height * (static_cast<double>(row) - 1e-6);
+        const double top = low_.y + height * (static_cast<double>(row) + 1.0 + 1e-6);
+        double left = high_.x;
+        double right = low_.x;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Point& a = triangle[k];
+            const Point& b = triangle[(k + 1) % 3];
+            for (const double y : {a.y, b.y, bottom, top}) {
+                if (y < std::max(bottom, std::min(a.y, b.y)) || y > std::min(top, std::max(a.y, b.y)))
+                    continue;
+                const double x = a.y == b.y ? a.x : a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
+                left = std::min({left, x, a.y == b.y ? b.x : x});
+                right = std::max({right, x, a.y == b.y ? b.x : x});
+            }
+        }
+        const double slack = 1e-9 * (high_.x - low_.x);
+        return {left - slack, right + slack};
+    }
+
+    static std::size_t place(double value, double low, double high, std::size_t count)
     {
         if (!(high > low))
             return 0;
-        const double cell = (value - low) / (high - low) * static_cast<double>(side_);
-        return std::min(static_cast<std::size_t>(std::max(cell, 0.0)), side_ - 1);
+        const double cell = (value - low) / (high - low) * static_cast<double>(count);
+        return std::min(static_cast<std::size_t>(std::max(cell, 0.0)), count - 1);
     }
-    std::size_t cellOf(const Point& p) const
-    {
-        return place(p.y, low_.y, high_.y) * side_ + place(p.x, low_.x, high_.x);
-    }
+    std::size_t columnOf(double x) const { return place(x, low_.x, high_.x, columns_); }
+    std::size_t rowOf(double y) const { return place(y, low_.y, high_.y, rows_); }
+    std::size_t cellOf(const Point& p) const { return rowOf(p.y) * columns_ + columnOf(p.x); }
 
     Point low_{1e300, 1e300};
     Point high_{-1e300, -1e300};
-    std::size_t side_ = 1;
+    std::size_t columns_ = 1, rows_ = 1;
     std::vector<Index> cellEnds_;
     std::vector<Index> members_;
 };
@@ -123,7 +152,7 @@ public:
         for (Index left = count_; left > 3;) {
             if (cost_ > budget || isEar(corner, strictness)) {
                 triangles.push_back({before_[corner], corner, after_[corner]});
-                // Going on two corners further spreads the cuts: fewer slivers than nibbling at one place.
+                areEarsRare_ = areEarsRare_ || refused > 64;
                 corner = remove(corner);
                 --left;
                 refused = 0;
@@ -131,6 +160,7 @@ public:
                 continue;
             }
             corner = after_[corner];
+            ++cost_;
             if (++refused >= left) {
                 refused = 0;
                 strictness = static_cast<Strictness>(static_cast<int>(strictness) + 1);
@@ -144,8 +174,8 @@ private:
     /// What forbids an ear; each round without one forbids less, so that crossing polygons come to an end too.
     enum class Strictness { Touching, Inside, Anything };
 
-    /// Looked-at corners after which the rest is fanned: about a second.
-    static constexpr std::size_t budget = 200'000'000;
+    /// Looked-at corners after which the rest is fanned: a second or two. Simple polygons of 100 000 corners need less.
+    static constexpr std::size_t budget = 30'000'000;
 
     /// Ties the ring and returns the reflex corners.
     std::vector<Index> linked()
@@ -160,6 +190,7 @@ private:
                 isReflex_[i] = true;
                 reflex.push_back(i);
             }
+        reflexLeft_ = reflex.size();
         return reflex;
     }
 
@@ -172,9 +203,9 @@ private:
         const Point& c = points_[after_[corner]];
         if (!(turn(a, b, c) > 0.0))
             return false;
-        const Point low{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})};
-        const Point high{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})};
-        return !grid_.any(low, high, cost_, [&](Index i) {
+        if (reflexLeft_ == 0) // convex from here on
+            return true;
+        return !grid_.any({a, b, c}, cost_, [&](Index i) {
             const Point& p = points_[i];
             // A corner at the place of one of the ear's own belongs to a bridge edge: the same place, visited twice.
             if (!isReflex_[i] || p == a || p == b || p == c)
@@ -188,25 +219,37 @@ private:
         });
     }
 
-    /// Takes the corner out and returns the one to look at next.
+    /// Takes the corner out and returns the one to look at next. Two corners further on spreads the cuts, which makes
+    /// better triangles than nibbling at one place; but where ears are rare (a long band has one at each end) the next
+    /// one is most likely here, and a walk around the ring for each would take forever.
     Index remove(Index corner)
     {
         const Index previous = before_[corner];
         const Index next = after_[corner];
         after_[previous] = next;
         before_[next] = previous;
-        isReflex_[corner] = false;
+        if (isReflex_[corner])
+            unmark(corner);
         for (const Index i : {previous, next})
-            isReflex_[i] = isReflex_[i] && turn(points_[before_[i]], points_[i], points_[after_[i]]) <= 0.0;
-        return after_[next];
+            if (isReflex_[i] && turn(points_[before_[i]], points_[i], points_[after_[i]]) > 0.0)
+                unmark(i);
+        return areEarsRare_ ? previous : after_[next];
+    }
+
+    void unmark(Index corner)
+    {
+        isReflex_[corner] = false;
+        --reflexLeft_;
     }
 
     std::vector<Point> points_;
     Index count_;
     std::vector<Index> before_, after_;
     std::vector<bool> isReflex_;
+    std::size_t reflexLeft_ = 0;
     ReflexGrid grid_;
     std::size_t cost_ = 0;
+    bool areEarsRare_ = false;
 };
 
 /// The shorter diagonal of a convex quad; of a concave one the only diagonal that lies inside.
