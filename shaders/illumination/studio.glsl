@@ -2,8 +2,8 @@
 // d is a unit vector that points away from the object; the value is the radiance that arrives from there.
 // The same text runs in core/illumination.
 
-// A rectangular lamp around the unit direction `centre`; `across` and `upwards` span its plane. Sizes are measured on the
-// plane at distance 1, so straight edges look straight. Brighter in the middle, as cloth over a lamp is.
+// A rectangular lamp around the unit direction `centre`; `across` and `upwards` span its plane. Sizes are measured on
+// the plane at distance 1, so straight edges look straight. Brighter in the middle, as cloth over a lamp is.
 float softBox(vec3 d, vec3 centre, vec3 across, vec3 upwards, float halfWidth, float halfHeight)
 {
     float depth = dot(d, centre);
