@@ -1,14 +1,13 @@
 #include "app/explorer/light_handles.h"
 
-#include "core/base/text.h"
+#include "app/explorer/ui/light_angles.h"
 #include "core/sensor/sensor.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
+#include <string>
 #include <vector>
 
 namespace reflectance::explorer {
@@ -144,13 +143,10 @@ void drawLightHandles(ImDrawList& canvas, const ExplorerState& state, const Pict
 void showLightTooltip(const ExplorerState& state, int index)
 {
     const Light& light = state.scene.lights[static_cast<std::size_t>(index)];
-    const Vec3d d = normalized(handlePoint(light));
-    const double degrees = 180.0 / std::numbers::pi;
-    const double azimuth = std::atan2(d.x, d.z) * degrees;
-    const double elevation = std::asin(std::clamp(d.y, -1.0, 1.0)) * degrees;
+    const LightAngles angles = anglesOf(handlePoint(light));
     ImGui::BeginTooltip();
     ImGui::Text("%d  %s%s", index + 1, light.name.c_str(), light.on ? "" : " (off)");
-    ImGui::Text("azimuth %.1f°  elevation %.1f°", azimuth, elevation);
+    ImGui::Text("azimuth %.1f°  elevation %.1f°", angles.azimuth, angles.elevation);
     if (light.kind == LightKind::Point)
         ImGui::Text("point light at distance %.3g radii", length(light.position));
     ImGui::Text("I  %.3g  %.3g  %.3g", light.intensity.x, light.intensity.y, light.intensity.z);

@@ -41,14 +41,13 @@ void continueStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
 {
     Stroke& stroke = viewport.stroke;
     const bool lightGone = stroke.movesLight() && stroke.light >= static_cast<int>(state.scene.lights.size());
-    if (lightGone || !ImGui::IsMouseDown(imguiButton(viewport.button))) {
-        stroke = {};
-        return;
-    }
     if (stroke.movesCamera())
         state.scene.camera = cameraOf(stroke, viewport.view.size, cursor);
-    else if (stroke.movesLight())
+    else if (!lightGone)
         state.scene.lights[static_cast<std::size_t>(stroke.light)] = lightOf(stroke, viewport.view.size, cursor);
+    // The frame that sees the release still follows the hand: a quick stroke may fit between two frames.
+    if (lightGone || !ImGui::IsMouseDown(imguiButton(viewport.button)))
+        stroke = {};
 }
 
 /// One frame of the mouse over the picture.

@@ -85,6 +85,7 @@ struct WindowState {
     ImGuiContext* gui = nullptr;
     Events events;
     std::string title;
+    std::optional<ImVec2> pressedAt; ///< the first press of a mouse button since the last frame
     bool happened = false;
     bool shown = false;
     float chosenScale = 0.0F; ///< 0: the monitor's
@@ -131,6 +132,16 @@ void filesDropped(GLFWwindow* window, int count, const char** paths)
     stateOf(window).events.dropped.assign(paths, paths + count);
 }
 
+void buttonChanged(GLFWwindow* window, int, int action, int)
+{
+    WindowState& state = stateOf(window);
+    state.happened = true;
+    double x = 0.0, y = 0.0;
+    glfwGetCursorPos(window, &x, &y);
+    if (action == GLFW_PRESS && !state.pressedAt)
+        state.pressedAt = ImVec2(static_cast<float>(x), static_cast<float>(y));
+}
+
 /// Notes that something happened; ImGui's back end calls these and then does its own part.
 void installCallbacks(GLFWwindow* window)
 {
@@ -139,7 +150,7 @@ void installCallbacks(GLFWwindow* window)
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { stateOf(w).happened = true; });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { stateOf(w).happened = true; });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { stateOf(w).happened = true; });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { stateOf(w).happened = true; });
+    glfwSetMouseButtonCallback(window, buttonChanged);
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { stateOf(w).happened = true; });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { stateOf(w).happened = true; });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { stateOf(w).happened = true; });
@@ -224,6 +235,9 @@ void Window::beginFrame()
     renewFonts(*state_, scale(), pixelsPerPoint());
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    // A press counts where it happened, even if the hand has moved on before this frame.
+    if (const auto pressedAt = std::exchange(state_->pressedAt, std::nullopt))
+        ImGui::GetIO().MousePos = *pressedAt;
     ImGui::NewFrame();
 }
 

@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+"""The window itself, under a virtual display of its own: it opens from any folder, a dragged light moves the highlight
+and nothing else, a broken mesh is no reason to stop, and Ctrl+Q ends it.
+
+usage: window_test.py PROGRAM BRIGHTEST
+"""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+PATIENCE = 60.0  # seconds for a single step: only a program that hangs needs them
+
+# The light shines from behind the eye, so its handle lies in the middle of the picture.
+SCENE = {
+    "reflectance_scene": 1,
+    "mesh": "sphere",
+    "camera": {"eye": [0, 0, 4], "target": [0, 0, 0]},
+    "lights": [{"kind": "directional", "direction": [0, 0, 1], "intensity": [1, 1, 1]}],
+    "surface": {"model": "hybrid", "parameters": {"ks": [0.5], "n": [60]}},
+}
+PICTURE_MIDDLE = (457, 409)  # of a window of 1280 x 800 with panels 360 wide, a toolbar of 44 and a status line of 26
+STROKE = (150, -100)
+
+
+class Display:
+    """An Xvfb on a free display."""
+
+    def __enter__(self):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+            pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            self.name = ":" + pipe.readline().strip()
+        check(self.name != ":", "Xvfb starts")
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait(PATIENCE)
+
+
+def check(holds, what):
+    print(("ok      " if holds else "FAILED  ") + what, flush=True)
+    if not holds:
+        sys.exit(1)
+
+
+def wait_for(condition, what):
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        if (value := condition()) is not None:
+            return value
+        time.sleep(0.05)
+    check(False, what)
+
+
+class Explorer:
+    """The program in a home of its own, started from another folder."""
+
+    def __init__(self, program, display, home, argument, mesh):
+        self.home = home
+        self.mesh = mesh
+        self.environment = dict(os.environ, DISPLAY=display.name, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"),
+                                LIBGL_ALWAYS_SOFTWARE="1")
+        self.process = subprocess.Popen([program, argument], cwd="/", env=self.environment)
+        wait_for(self.window, f"the window appears and shows {mesh}")
+
+    def xdotool(self, *arguments):
+        return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, timeout=PATIENCE,
+                              capture_output=True, text=True, check=False).stdout
+
+    def window(self):
+        if self.process.poll() is not None:
+            check(False, "the program runs")
+        return self.xdotool("search", "--onlyvisible", "--name", f"{self.mesh} .*Reflectance Explorer").strip() or None
+
+    def file_after(self, key, ending):
+        """Presses a key that saves a file, and returns the file."""
+        before = set(self.home.glob("*" + ending))
+        self.xdotool("key", key)
+        return wait_for(lambda: next(iter(set(self.home.glob("*" + ending)) - before), None), f"{key} saves a {ending}")
+
+    def saved_scene(self, scene_file):
+        """Presses Ctrl+S and reads the scene file, which is replaced whole."""
+        before = scene_file.stat().st_ino
+        self.xdotool("key", "ctrl+s")
+        wait_for(lambda: True if scene_file.stat().st_ino != before else None, "Ctrl+S saves the scene")
+        return json.loads(scene_file.read_text())
+
+    def drag(self, start, stroke):
+        self.xdotool("mousemove", *start)
+        self.xdotool("mousedown", 1)
+        for step in range(1, 11):
+            self.xdotool("mousemove", start[0] + stroke[0] * step // 10, start[1] + stroke[1] * step // 10)
+            time.sleep(0.02)
+        self.xdotool("mouseup", 1)
+
+    def quit(self):
+        self.xdotool("key", "ctrl+q")
+        check(self.process.wait(PATIENCE) == 0, "Ctrl+Q ends the program with exit code 0")
+
+
+def highlight(brightest, picture):
+    output = subprocess.run([brightest, str(picture)], capture_output=True, text=True, timeout=PATIENCE, check=True).stdout
+    return tuple(map(float, output.split()))
+
+
+def drags_a_light(program, brightest, display, home):
+    scene_file = home / "scene.json"
+    scene_file.write_text(json.dumps(SCENE))
+    explorer = Explorer(program, display, home, str(scene_file), "sphere")
+    try:
+        explorer.xdotool("mousemove", *PICTURE_MIDDLE)
+        before = highlight(brightest, explorer.file_after("F12", ".png"))
+        scene_before = explorer.saved_scene(scene_file)
+        explorer.drag(PICTURE_MIDDLE, STROKE)
+        after = highlight(brightest, explorer.file_after("F12", ".png"))
+        scene_after = explorer.saved_scene(scene_file)
+
+        check(scene_after["camera"] == scene_before["camera"], "the camera stays")
+        check(scene_after["lights"] != scene_before["lights"], "the light moves")
+        # A Phong highlight of a sphere lies half-way between eye and light: about half the handle's way.
+        moved = (after[0] - before[0], after[1] - before[1])
+        check(moved[0] > STROKE[0] / 5 and moved[1] < STROKE[1] / 5, f"the highlight moves with the hand: {moved}")
+        idle = highlight(brightest, explorer.file_after("F12", ".png"))
+        check(idle == after, "without a stroke it stays: the check above can fail")
+        explorer.file_after("ctrl+F12", ".png")
+        explorer.quit()
+        check((home / "config/reflectance/preferences.json").exists(), "the preferences are kept")
+    finally:
+        explorer.process.kill()
+
+
+def survives_a_broken_mesh(program, display, home):
+    broken = home / "broken.obj"
+    broken.write_text("v 0 0\nf 1 2 3\n")
+    explorer = Explorer(program, display, home, str(broken), "mug")
+    try:
+        explorer.xdotool("mousemove", *PICTURE_MIDDLE)
+        picture = explorer.file_after("F12", ".png")
+        check("mug" in picture.name, "a broken mesh leaves the default scene")
+        explorer.quit()
+    finally:
+        explorer.process.kill()
+
+
+def main():
+    program, brightest = map(os.path.abspath, sys.argv[1:3])
+    with tempfile.TemporaryDirectory() as folder, Display() as display:
+        for name, test in (("drag", lambda home: drags_a_light(program, brightest, display, home)),
+                           ("broken", lambda home: survives_a_broken_mesh(program, display, home))):
+            home = pathlib.Path(folder) / name
+            home.mkdir()
+            test(home)
+
+
+if __name__ == "__main__":
+    main()
