@@ -33,7 +33,8 @@ nlohmann::ordered_json described(const std::vector<PriceTag>& tags)
 {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const PriceTag& tag : tags)
-        list.push_back({{"name", tag.name}, {"shading_ms", tag.milliseconds}, {"max_error", tag.maxError}, {"rmse", tag.rmse}});
+        list.push_back(
+            {{"name", tag.name}, {"shading_ms", tag.milliseconds}, {"max_error", tag.maxError}, {"rmse", tag.rmse}});
     return {{"price_tags", list}};
 }
 
@@ -64,12 +65,14 @@ int priceTagOf(const Options& options)
 void addCompare(CLI::App& program, int& exitCode)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* verb = program.add_subcommand(
-        "compare", "Two pictures: how far apart they are. One scene or mesh: what float, SIMD and GL cost on it and how far they are from double");
+    CLI::App* verb =
+        program.add_subcommand("compare", "Two pictures: how far apart they are. One scene or mesh: what float, SIMD "
+                                          "and GL cost on it and how far they are from double");
     addSceneOptions(*verb, options->scene);
     verb->get_option("input")->description("first picture (.png, .exr, .pfm, .hdr), or a scene or mesh alone");
     verb->add_option("second", options->second, "second picture");
-    verb->add_option("--threshold", options->pictures.threshold, "exit 1 if the largest absolute difference exceeds this")
+    verb->add_option("--threshold", options->pictures.threshold,
+                     "exit 1 if the largest absolute difference exceeds this")
         ->check(CLI::NonNegativeNumber);
     verb->add_option("--diff", options->pictures.diff, "write the difference as a PNG");
     verb->add_option("--json", options->pictures.json, "figures, to a file or - for standard output");

@@ -22,7 +22,8 @@ struct EvalOptions {
 };
 
 constexpr const char* description =
-    "A model at given directions. CSV with a header; columns by name: id, model, params, N, L, V, light_rgb and, for the "
+    "A model at given directions. CSV with a header; columns by name: id, model, params, N, L, V, light_rgb and, for "
+    "the "
     "mirror, light_radius (degrees). Vectors are three numbers parted by blanks, of any length; several lights are "
     "parted by |. params is name=value;name=value. Output: id,r,g,b - the lecture's factor times the light (cosine "
     "included; the BRDF times pi), linear, unclamped.";
@@ -80,7 +81,8 @@ Result<std::vector<Vec3d>> evaluateRows(const std::vector<EvalRow>& rows, const 
 int runEval(const EvalOptions& options)
 {
     const bool fromInput = options.rows == "-";
-    const auto csv = fromInput ? Result(std::string(std::istreambuf_iterator<char>(std::cin), {})) : readWholeFile(options.rows);
+    const auto csv =
+        fromInput ? Result(std::string(std::istreambuf_iterator<char>(std::cin), {})) : readWholeFile(options.rows);
     if (!csv)
         return refused(csv.error());
     const auto parsed = parseEvalRows(*csv, fromInput ? "standard input" : options.rows);
@@ -92,7 +94,8 @@ int runEval(const EvalOptions& options)
     std::string out = "id,r,g,b\n";
     for (std::size_t i = 0; i < results->size(); ++i) {
         const Vec3d& value = (*results)[i];
-        out += parsed->rows[i].id + ',' + general(value.x, 17) + ',' + general(value.y, 17) + ',' + general(value.z, 17) + '\n';
+        out += parsed->rows[i].id + ',' + general(value.x, 17) + ',' + general(value.y, 17) + ',' +
+               general(value.z, 17) + '\n';
     }
     std::cout << out << std::flush;
     for (const Error& error : parsed->bad)

@@ -50,7 +50,10 @@ nlohmann::ordered_json described(const MeshReport& report)
               {"bad", report.cornersWithBadNormal},
               {"computed", report.cornersWithComputedNormal}}},
             {"flipped_triangles", report.flippedTriangles},
-            {"seconds", {{"read", report.readSeconds}, {"triangulate", report.triangulateSeconds}, {"normals", report.normalsSeconds}}},
+            {"seconds",
+             {{"read", report.readSeconds},
+              {"triangulate", report.triangulateSeconds},
+              {"normals", report.normalsSeconds}}},
             {"warnings", warnings},
             {"notes", report.notes}};
 }
@@ -82,17 +85,19 @@ std::string milliseconds(double seconds)
 void print(const MeshReport& r)
 {
     std::cout << "  format     " << r.format << "\n  file       " << r.fileVertices << " vertices (" << r.unusedVertices
-              << " unused), " << r.fileFaces << " faces\n  drawn      " << r.triangles << " triangles, " << r.meshVertices
-              << " vertices after splitting at creases\n  area       " << general(r.area, 9) << "\n  bounds     "
-              << text(r.lowest) << " .. " << text(r.highest) << "\n  normals    " << r.cornersWithFileNormal
-              << " corners from the file, " << r.cornersWithComputedNormal << " computed (" << r.cornersWithoutNormal
-              << " missing, " << r.cornersWithBadNormal << " bad)\n  left out   " << r.droppedFaces() << " faces, "
-              << r.degenerateTriangles << " triangles without area\n  time       read " << milliseconds(r.readSeconds)
-              << ", triangulate " << milliseconds(r.triangulateSeconds) << ", normals " << milliseconds(r.normalsSeconds) << '\n';
+              << " unused), " << r.fileFaces << " faces\n  drawn      " << r.triangles << " triangles, "
+              << r.meshVertices << " vertices after splitting at creases\n  area       " << general(r.area, 9)
+              << "\n  bounds     " << text(r.lowest) << " .. " << text(r.highest) << "\n  normals    "
+              << r.cornersWithFileNormal << " corners from the file, " << r.cornersWithComputedNormal << " computed ("
+              << r.cornersWithoutNormal << " missing, " << r.cornersWithBadNormal << " bad)\n  left out   "
+              << r.droppedFaces() << " faces, " << r.degenerateTriangles
+              << " triangles without area\n  time       read " << milliseconds(r.readSeconds) << ", triangulate "
+              << milliseconds(r.triangulateSeconds) << ", normals " << milliseconds(r.normalsSeconds) << '\n';
     for (const DroppedFaces& dropped : r.dropped)
         std::cout << "  dropped    " << dropped.count << ": " << dropped.reason << '\n';
     for (const MeshWarning& warning : r.warnings)
-        std::cout << "  warning    " << (warning.line > 0 ? "line " + std::to_string(warning.line) + ": " : "") << warning.text << '\n';
+        std::cout << "  warning    " << (warning.line > 0 ? "line " + std::to_string(warning.line) + ": " : "")
+                  << warning.text << '\n';
     for (const std::string& note : r.notes)
         std::cout << "  note       " << note << '\n';
 }
@@ -101,8 +106,9 @@ void print(const TopologySummary& t)
 {
     std::cout << "  topology   " << (t.isClosed() ? "closed, " : "open, ") << t.components
               << (t.components == 1 ? " piece" : " pieces") << ", Euler characteristic " << t.eulerCharacteristic()
-              << "\n  edges      " << t.edges << ", of them " << t.boundaryEdges << " on a boundary (" << t.boundaryLoops
-              << " loops), " << t.nonManifoldEdges << " non-manifold, " << t.windingConflicts << " wound in conflict\n";
+              << "\n  edges      " << t.edges << ", of them " << t.boundaryEdges << " on a boundary ("
+              << t.boundaryLoops << " loops), " << t.nonManifoldEdges << " non-manifold, " << t.windingConflicts
+              << " wound in conflict\n";
 }
 
 int run(const Options& options)
@@ -132,7 +138,8 @@ void addInspect(CLI::App& program, int& exitCode)
 {
     auto options = std::make_shared<Options>();
     CLI::App* verb = program.add_subcommand("inspect", "What the reader found in a mesh and what it repaired");
-    verb->add_option("mesh", options->mesh, "an OBJ, PLY, OFF or STL file, or a mesh of the program (" + joined(stockMeshNames()) + ")")
+    verb->add_option("mesh", options->mesh,
+                     "an OBJ, PLY, OFF or STL file, or a mesh of the program (" + joined(stockMeshNames()) + ")")
         ->required();
     verb->add_flag("--topology", options->topology, "also pieces, boundaries and edges with more than two triangles");
     verb->add_flag("--smooth", options->load.recomputeNormals, "compute the normals anew even where the file has some");

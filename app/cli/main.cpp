@@ -64,7 +64,8 @@ int run(int argc, char** argv)
     } catch (const CLI::Success& help) {
         return program.exit(help);
     } catch (const CLI::ParseError& error) {
-        return refused(Error{std::string(error.what()) + "; 'reflectance --help' and 'reflectance VERB --help' tell more"});
+        return refused(
+            Error{std::string(error.what()) + "; 'reflectance --help' and 'reflectance VERB --help' tell more"});
     }
     return program.get_subcommands().empty() ? explore(input) : exitCode;
 }

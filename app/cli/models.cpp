@@ -90,9 +90,9 @@ void printMarkdown(const ModelText& model)
 {
     std::cout << "\n## " << model.name << " (`" << model.id << "`)\n\n    " << model.formula << "\n\n"
               << model.about << "\n\n- Source: " << model.citation << "\n- Reciprocal: " << model.reciprocal.reason
-              << "\n- Passive: " << model.passive.reason << "\n- Sees the environment: "
-              << (model.usesEnvironment ? "yes" : "no") << "; sees the size of lights: "
-              << (model.usesLightSize ? "yes" : "no")
+              << "\n- Passive: " << model.passive.reason
+              << "\n- Sees the environment: " << (model.usesEnvironment ? "yes" : "no")
+              << "; sees the size of lights: " << (model.usesLightSize ? "yes" : "no")
               << "\n\n| parameter | meaning | kind | default | slider | legal | unit | source |\n"
                  "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const Parameter& p : model.parameters)
@@ -105,10 +105,11 @@ void printMarkdown(const ModelText& model)
 int run(const Options& options)
 {
     if (options.markdown)
-        std::cout << "# The reflectance models\n\n"
-                     "Made by `reflectance models --markdown` from the texts in `shaders/reflectance/`; a test fails when "
-                     "this page is stale.\nEvery model returns the lecture's factor times the light: cosine included, the "
-                     "BRDF times pi. R = 2N(N.L) - L.\n";
+        std::cout
+            << "# The reflectance models\n\n"
+               "Made by `reflectance models --markdown` from the texts in `shaders/reflectance/`; a test fails when "
+               "this page is stale.\nEvery model returns the lecture's factor times the light: cosine included, the "
+               "BRDF times pi. R = 2N(N.L) - L.\n";
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Model& model : catalogue()) {
         if (options.markdown)
@@ -126,7 +127,8 @@ int run(const Options& options)
 void addModels(CLI::App& program, int& exitCode)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* verb = program.add_subcommand("models", "The catalogue: ids, parameters, ranges, defaults, units, citation, declared properties");
+    CLI::App* verb = program.add_subcommand(
+        "models", "The catalogue: ids, parameters, ranges, defaults, units, citation, declared properties");
     verb->add_flag("--markdown", options->markdown, "as the page docs/models.md");
     verb->add_option("--json", options->json, "as JSON, to a file or - for standard output");
     verb->callback([options, &exitCode] { exitCode = run(*options); });

@@ -41,7 +41,8 @@ Result<RenderPlan> planFrom(const Options& options)
     if (options.precision == "glsl")
         plan.backend = Backend::Gl;
     else if (plan.backend == Backend::Gl)
-        return Error{"--precision " + options.precision + " belongs to the CPU renderer; GL computes in glsl; leave one of the two flags out"};
+        return Error{"--precision " + options.precision +
+                     " belongs to the CPU renderer; GL computes in glsl; leave one of the two flags out"};
     else
         plan.backend = Backend::Cpu;
     plan.precision = options.precision == "float"  ? Precision::Float
@@ -112,7 +113,8 @@ int run(const Options& options)
     const auto counts = savePicture(options.out, rendered->image, scene->sensor);
     if (!counts)
         return refused(counts.error());
-    if (const auto written = writeReport(options.json, report(options, *scene, *settings, *rendered, *counts)); !written)
+    if (const auto written = writeReport(options.json, report(options, *scene, *settings, *rendered, *counts));
+        !written)
         return refused(written.error());
     if (options.reference.empty())
         return Done;
@@ -127,11 +129,14 @@ void addRender(CLI::App& program, int& exitCode)
     auto options = std::make_shared<Options>();
     CLI::App* verb = program.add_subcommand("render", "One picture of a mesh or a scene, without a window");
     addSceneOptions(*verb, options->scene);
-    verb->add_option("--out", options->out, "picture to write: .png (after the sensor), .exr or .pfm (linear, before it)")->required();
+    verb->add_option("--out", options->out,
+                     "picture to write: .png (after the sensor), .exr or .pfm (linear, before it)")
+        ->required();
     verb->add_option("--backend", options->backend, "auto (GL where there is one), gl or cpu")
         ->check(CLI::IsMember({"auto", "gl", "cpu"}))
         ->capture_default_str();
-    verb->add_option("--precision", options->precision, "double, float or simd choose the CPU renderer, glsl the GL one")
+    verb->add_option("--precision", options->precision,
+                     "double, float or simd choose the CPU renderer, glsl the GL one")
         ->check(CLI::IsMember({"double", "float", "simd", "glsl"}));
     verb->add_option("--context", options->context, "GL context: any, osmesa or egl")
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
@@ -142,7 +147,8 @@ void addRender(CLI::App& program, int& exitCode)
     verb->add_option("--frames", options->frames, "shade this often and report the median time")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    verb->add_option("--reference", options->reference, "picture to compare with: exit 0 if within --threshold, else 1");
+    verb->add_option("--reference", options->reference,
+                     "picture to compare with: exit 0 if within --threshold, else 1");
     verb->add_option("--threshold", options->threshold, "largest linear difference that still holds")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();

@@ -52,7 +52,8 @@ bool isNegative(const Vec3d& v)
 
 Error badLight(const std::string& text, const std::string& why)
 {
-    return Error{"--light " + text + ": " + why + "; write KIND:X,Y,Z[:I[:RADIUS]], as in directional:-1,2,2:1,0.9,0.8"};
+    return Error{"--light " + text + ": " + why +
+                 "; write KIND:X,Y,Z[:I[:RADIUS]], as in directional:-1,2,2:1,0.9,0.8"};
 }
 
 /// The eye at azimuth and elevation from which the object fills the picture.
@@ -121,18 +122,17 @@ Result<void> setBackground(const std::string& text, Background& background)
     return {};
 }
 
-Result<Scene> openInput(const std::string& input)
+Result<Scene> openInput(const std::string& input, bool smooth)
 {
-    if (lowered(input).ends_with(".json"))
-        return loadScene(input);
-    Scene scene = defaultScene();
-    if (input.empty())
+    const bool isScene = lowered(input).ends_with(".json");
+    auto scene = isScene ? loadScene(input) : Result(defaultScene());
+    if (!scene || (!smooth && (isScene || input.empty())))
         return scene;
-    auto mesh = openMesh(input);
-    if (!mesh)
-        return mesh.error();
-    scene.mesh = *std::move(mesh);
-    scene.meshFile = input;
+    if (!isScene && !input.empty())
+        scene->meshFile = input;
+    scene->recomputeNormals = scene->recomputeNormals || smooth;
+    if (const auto read = readMeshOf(*scene); !read)
+        return read.error();
     return scene;
 }
 
@@ -169,14 +169,19 @@ Result<void> setLights(const SceneOptions& options, std::vector<Light>& lights)
 
 void addSceneOptions(CLI::App& verb, SceneOptions& options)
 {
-    verb.add_option("input", options.input, "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json); default: the mug");
+    verb.add_option("input", options.input,
+                    "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json); default: the mug");
+    verb.add_flag("--smooth", options.smooth, "compute the normals anew: faceted files look round");
     verb.add_option("--size", options.size, "WxH in pixels");
-    verb.add_option("--samples", options.samples, "samples per pixel: 1, 4, 9, 16, 25, 36, 49 or 64")->capture_default_str();
+    verb.add_option("--samples", options.samples, "samples per pixel: 1, 4, 9, 16, 25, 36, 49 or 64")
+        ->capture_default_str();
     verb.add_option("--model", options.model, "reflectance model; 'reflectance models' lists them");
-    verb.add_option("--set", options.assignments, "NAME=VALUE of a model parameter; matrices row by row, numbers parted by commas");
+    verb.add_option("--set", options.assignments,
+                    "NAME=VALUE of a model parameter; matrices row by row, numbers parted by commas");
     verb.add_option("--light", options.lights, lightHelp);
     verb.add_option("--camera", options.camera, cameraHelp);
-    verb.add_option("--environment", options.environment, "none, studio, constant:R,G,B, or a latitude-longitude picture (.exr, .hdr)");
+    verb.add_option("--environment", options.environment,
+                    "none, studio, constant:R,G,B, or a latitude-longitude picture (.exr, .hdr)");
     verb.add_option("--background", options.background, "environment, or a linear colour R,G,B");
     verb.add_option("--exposure", options.exposure, "EV: radiance times 2^EV before the sensor, -16 .. 16");
 }
@@ -241,7 +246,7 @@ Result<Scene> sceneFrom(const SceneOptions& options)
     if (!settings)
         return settings.error();
     const double aspect = static_cast<double>(settings->width) / settings->height;
-    auto scene = openInput(options.input);
+    auto scene = openInput(options.input, options.smooth);
     if (!scene)
         return scene;
     if (!lowered(options.input).ends_with(".json"))

@@ -13,7 +13,8 @@
 namespace reflectance::cli {
 
 struct SceneOptions {
-    std::string input; ///< mesh, stock mesh name or scene file; empty: the default scene
+    std::string input;   ///< mesh, stock mesh name or scene file; empty: the default scene
+    bool smooth = false; ///< normals computed anew
     std::string size;
     int samples = 4;
     std::string model;

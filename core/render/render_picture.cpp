@@ -1,8 +1,8 @@
 #include "core/render/render_picture.h"
 
+#include "core/reflectance/kernel_tables.h"
 #include "core/render/cpu/cpu_renderer.h"
 #include "core/render/gl/gl_renderer.h"
-#include "core/reflectance/kernel_tables.h"
 
 #include <algorithm>
 #include <chrono>
@@ -45,8 +45,8 @@ Rendered renderByCpu(const Scene& scene, const RenderSettings& settings, const R
     const ViewSamples samples = sampleView(*rays, scene.camera, settings);
     rendered.image = shadeSamples(samples, scene, plan.precision);
     rendered.firstFrameMilliseconds = millisecondsSince(start);
-    rendered.shadingMilliseconds = medianMilliseconds(
-        plan.frames - 1, [&] { rendered.image = shadeSamples(samples, scene, plan.precision); });
+    rendered.shadingMilliseconds =
+        medianMilliseconds(plan.frames - 1, [&] { rendered.image = shadeSamples(samples, scene, plan.precision); });
     return rendered;
 }
 

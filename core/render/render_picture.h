@@ -15,7 +15,7 @@ namespace reflectance {
 enum class Backend { Auto, Gl, Cpu };
 
 struct RenderPlan {
-    Backend backend = Backend::Auto; ///< Auto: GL where a context opens, else the CPU
+    Backend backend = Backend::Auto;         ///< Auto: GL where a context opens, else the CPU
     Precision precision = Precision::Double; ///< of the CPU renderer
     ContextKind context = ContextKind::Any;
     int frames = 1; ///< shadings; more than one for timing
@@ -23,13 +23,14 @@ struct RenderPlan {
 
 struct Rendered {
     Image image;
-    std::string backend;   ///< "cpu", "gl (osmesa)"
-    std::string precision; ///< "double", "glsl"
+    std::string backend;                 ///< "cpu", "gl (osmesa)"
+    std::string precision;               ///< "double", "glsl"
     double firstFrameMilliseconds = 0.0; ///< visibility and shading, from nothing
     double shadingMilliseconds = 0.0;    ///< shading again: the median of the frames after the first; 0 for one frame
 };
 
-[[nodiscard]] Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan);
+[[nodiscard]] Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings,
+                                             const RenderPlan& plan);
 
 /// "osmesa" and "egl"; anything else is Any.
 [[nodiscard]] ContextKind contextNamed(std::string_view name);

@@ -35,7 +35,8 @@ public:
     void read(const char* key, bool& value);
     void read(const char* key, std::string& value);
     void read(const char* key, Vec3d& value, double low = -inf);
-    void eachNumberList(const char* key, const std::function<void(const std::string&, const std::vector<double>&)>& take);
+    void eachNumberList(const char* key,
+                        const std::function<void(const std::string&, const std::vector<double>&)>& take);
     void readObject(const char* key, const std::function<void(ObjectReader)>& take);
 
     template <class T> void readList(const char* key, std::vector<T>& list, void (*readOne)(ObjectReader, T&));

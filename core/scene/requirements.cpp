@@ -63,7 +63,8 @@ std::vector<std::string> leftOut(const Scene& scene)
         else if (!shines(light))
             notes.push_back("light '" + light.name + "': its intensity is 0");
         else if (model.text.usesLightSize && light.angularRadius == 0.0)
-            notes.push_back("light '" + light.name + "': its radius is 0, and no view direction meets a point in a mirror");
+            notes.push_back("light '" + light.name +
+                            "': its radius is 0, and no view direction meets a point in a mirror");
     }
     const auto hasSize = [](const Light& light) { return shines(light) && light.angularRadius > 0.0; };
     if (!model.text.usesLightSize && std::any_of(scene.lights.begin(), scene.lights.end(), hasSize))

@@ -13,8 +13,8 @@ struct Requirements {
     std::string model;
     bool directionalLights = false;
     bool pointLights = false;
-    bool environment = false;      ///< the model looks at it and it is not black
-    bool environmentMap = false;   ///< the environment (seen by the model or as background) is a picture
+    bool environment = false;    ///< the model looks at it and it is not black
+    bool environmentMap = false; ///< the environment (seen by the model or as background) is a picture
     bool environmentBackground = false;
 
     friend bool operator==(const Requirements&, const Requirements&) = default;

@@ -1,6 +1,5 @@
 #include "core/scene/scene.h"
 
-#include "core/base/embedded.h"
 #include "core/geometry/load.h"
 
 #include <algorithm>
@@ -14,12 +13,10 @@ Scene defaultScene()
 {
     Scene scene;
     scene.meshFile = "mug";
-    auto mesh = openMesh(scene.meshFile);
-    if (!mesh) { // cannot happen: the mesh is part of the program
-        std::cerr << mesh.error().sentence() << '\n';
+    if (const auto read = readMeshOf(scene); !read) { // cannot happen: the mesh is part of the program
+        std::cerr << read.error().sentence() << '\n';
         std::abort();
     }
-    scene.mesh = *std::move(mesh);
     scene.camera = framed(scene.camera, 1.0);
     Light key;
     key.name = "key";
@@ -49,33 +46,20 @@ std::vector<double> valuesOf(const Scene& scene)
 std::vector<Light> shiningLights(const Scene& scene)
 {
     std::vector<Light> lights;
-    std::copy_if(scene.lights.begin(), scene.lights.end(), std::back_inserter(lights), [](const Light& l) { return l.on; });
+    std::copy_if(scene.lights.begin(), scene.lights.end(), std::back_inserter(lights),
+                 [](const Light& l) { return l.on; });
     return lights;
 }
 
-std::vector<std::string> stockMeshes()
+Result<void> readMeshOf(Scene& scene)
 {
-    std::vector<std::string> names;
-    for (const EmbeddedFile& file : embeddedFiles())
-        if (file.name.starts_with("meshes/") && file.name.ends_with(".obj"))
-            names.emplace_back(file.name.substr(7, file.name.size() - 11));
-    return names;
-}
-
-Result<std::shared_ptr<const Mesh>> openMesh(const std::string& nameOrPath)
-{
-    for (const EmbeddedFile& file : embeddedFiles()) {
-        if (file.name != "meshes/" + nameOrPath + ".obj")
-            continue;
-        auto loaded = readMesh(file.bytes, nameOrPath, LoadOptions{});
-        if (!loaded)
-            return loaded.error();
-        return loaded->mesh;
-    }
-    auto loaded = loadMesh(nameOrPath, LoadOptions{});
+    LoadOptions options;
+    options.recomputeNormals = scene.recomputeNormals;
+    auto loaded = loadStockOrFile(scene.meshFile, options);
     if (!loaded)
         return loaded.error();
-    return loaded->mesh;
+    scene.mesh = std::move(loaded->mesh);
+    return {};
 }
 
 } // namespace reflectance

@@ -33,7 +33,8 @@ struct Background {
 };
 
 struct Scene {
-    std::string meshFile; ///< where the mesh came from; "mug" and the like name an embedded one
+    std::string meshFile;          ///< where the mesh came from; "mug" and the like name an embedded one
+    bool recomputeNormals = false; ///< smooth normals even where the file gives some (faceted files look round)
     std::shared_ptr<const Mesh> mesh;
     Camera camera;
     std::vector<Light> lights;
@@ -55,10 +56,8 @@ struct Scene {
 /// The lights that are on.
 [[nodiscard]] std::vector<Light> shiningLights(const Scene& scene);
 
-/// Names of the meshes that the program carries: "mug", "sphere", ...
-[[nodiscard]] std::vector<std::string> stockMeshes();
-
-/// A stock mesh of the program by name ("mug"), or any mesh file by path.
-[[nodiscard]] Result<std::shared_ptr<const Mesh>> openMesh(const std::string& nameOrPath);
+/// Reads scene.meshFile (a stock mesh of the program by name, or any mesh file by path) into scene.mesh, with the
+/// normals that the scene asks for. On an error the scene keeps its mesh.
+[[nodiscard]] Result<void> readMeshOf(Scene& scene);
 
 } // namespace reflectance

@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/geometry/load.h"
 #include "core/scene/json_reader.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ std::string resolvedIn(const std::string& folder, const std::string& path)
 
 bool isStockMesh(const std::string& name)
 {
-    const std::vector<std::string> names = stockMeshes();
+    const std::vector<std::string> names = stockMeshNames();
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -154,26 +155,24 @@ void readSurface(ObjectReader object, Surface& surface)
     object.finish();
 }
 
-void readMesh(ObjectReader& object, Scene& scene, const std::string& folder)
+void readMeshKeys(ObjectReader& object, Scene& scene, const std::string& folder)
 {
-    std::string file = scene.meshFile;
-    object.read("mesh", file);
-    if (file == scene.meshFile)
+    const std::string before = scene.meshFile;
+    object.read("mesh", scene.meshFile);
+    object.read("smooth_normals", scene.recomputeNormals);
+    if (scene.meshFile == before && !scene.recomputeNormals)
         return;
-    if (!isStockMesh(file))
-        file = resolvedIn(folder, file);
-    auto mesh = openMesh(file);
-    if (!mesh)
-        return object.fail(mesh.error().sentence());
-    scene.mesh = *std::move(mesh);
-    scene.meshFile = file;
+    if (!isStockMesh(scene.meshFile))
+        scene.meshFile = resolvedIn(folder, scene.meshFile);
+    if (const auto read = readMeshOf(scene); !read)
+        object.fail(read.error().sentence());
 }
 
 void readScene(ObjectReader object, Scene& scene, const std::string& folder)
 {
     int version = sceneFormatVersion;
     object.read("reflectance_scene", version, 1, sceneFormatVersion);
-    readMesh(object, scene, folder);
+    readMeshKeys(object, scene, folder);
     object.readObject("camera", [&](ObjectReader part) { readCamera(part, scene.camera); });
     object.readList("lights", scene.lights, readLight);
     object.readObject("environment", [&](ObjectReader part) { readEnvironment(part, scene.environment, folder); });
@@ -196,6 +195,7 @@ std::string sceneText(const Scene& scene, const std::string& folder)
     const Json json{
         {"reflectance_scene", sceneFormatVersion},
         {"mesh", isStockMesh(scene.meshFile) ? scene.meshFile : relativeTo(folder, scene.meshFile)},
+        {"smooth_normals", scene.recomputeNormals},
         {"camera",
          {{"eye", array(scene.camera.eye)},
           {"target", array(scene.camera.target)},

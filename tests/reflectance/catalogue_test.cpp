@@ -90,8 +90,9 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, BadAssignments,
                          testing::Values(BadAssignment{"n", "NAME=VALUE"}, BadAssignment{"n=", "takes 1 number, not 0"},
                                          BadAssignment{"n=1 2", "takes 1 number, not 2"},
                                          BadAssignment{"n=-1", "n = -1 is out of range; give a value in 0 .. 1e+07"},
-                                         BadAssignment{"n=1e30", "out of range"}, BadAssignment{"n=nan", "out of range"},
-                                         BadAssignment{"n=inf", "out of range"}, BadAssignment{"n=x", "'x' is not a number"},
+                                         BadAssignment{"n=1e30", "out of range"},
+                                         BadAssignment{"n=nan", "out of range"}, BadAssignment{"n=inf", "out of range"},
+                                         BadAssignment{"n=x", "'x' is not a number"},
                                          BadAssignment{"K=1,2,3,4", "1, 3 or 9 numbers, not 4"},
                                          BadAssignment{"kd=1", "has no parameter 'kd'; did you mean 'ks'"}));
 

@@ -53,7 +53,8 @@ TEST(ModelText, KeepsTheLineNumbersOfTheCode)
 TEST(ModelText, TakesADescriptionOverFromAnEarlierModel)
 {
     std::vector<ModelText> earlier{*parseModelText("example", good, {})};
-    const std::string text = std::string("uniform float a = 0.75;\n//: like example\n") + "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { return I; }\n";
+    const std::string text = std::string("uniform float a = 0.75;\n//: like example\n") +
+                             "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { return I; }\n";
     const auto model = parseModelText("second", text, earlier);
     ASSERT_TRUE(model) << model.error().sentence();
     EXPECT_EQ(model->parameters[0].label, "First");

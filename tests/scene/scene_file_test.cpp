@@ -10,6 +10,7 @@ namespace {
 Scene unusualScene()
 {
     Scene scene = defaultScene();
+    scene.recomputeNormals = true;
     scene.camera.eye = {0.1, 1.0 / 3.0, -4.0};
     scene.camera.fieldOfView = 61.7;
     Light point;
@@ -32,8 +33,9 @@ Scene unusualScene()
 
 bool equal(const Scene& a, const Scene& b)
 {
-    return a.meshFile == b.meshFile && a.camera == b.camera && a.lights == b.lights && a.environment == b.environment &&
-           a.background == b.background && a.surface == b.surface && a.sensor == b.sensor;
+    return a.meshFile == b.meshFile && a.recomputeNormals == b.recomputeNormals && a.camera == b.camera &&
+           a.lights == b.lights && a.environment == b.environment && a.background == b.background &&
+           a.surface == b.surface && a.sensor == b.sensor;
 }
 
 TEST(SceneFile, ReadsBackWhatItWroteBitForBit)
@@ -80,8 +82,9 @@ TEST_P(BadScenes, AreSaidInOneSentence)
 
 INSTANTIATE_TEST_SUITE_P(
     SceneFile, BadScenes,
-    testing::Values(BadScene{"", "scene.json:1: not a JSON scene"}, BadScene{"{\n\n]", "scene.json:3: not a JSON scene"},
-                    BadScene{"[]", "scene is not an object"}, BadScene{R"({"ligths": []})", "did you mean 'lights'"},
+    testing::Values(BadScene{"", "scene.json:1: not a JSON scene"},
+                    BadScene{"{\n\n]", "scene.json:3: not a JSON scene"}, BadScene{"[]", "scene is not an object"},
+                    BadScene{R"({"ligths": []})", "did you mean 'lights'"},
                     BadScene{R"({"lights": {}})", "scene.lights is not a list"},
                     BadScene{R"({"lights": [{"kind": "spot"}]})", "scene.lights[0].kind is 'spot'; choose one of"},
                     BadScene{R"({"lights": [{"intensity": [1, 2]}]})", "three finite numbers"},

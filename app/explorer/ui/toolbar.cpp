@@ -1,6 +1,7 @@
 #include "app/explorer/ui/icons.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/ui/widgets.h"
+#include "core/geometry/load.h"
 
 #include <array>
 #include <cmath>
@@ -32,12 +33,14 @@ bool toolButton(Icon icon, const char* label, bool on, bool withLabel, const cha
     tooltip(about);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (on || hovered)
-        list.AddRectFilled(start, {start.x + size.x, start.y + size.y}, ImGui::GetColorU32(on ? palette::chosen : palette::raised), points(6));
+        list.AddRectFilled(start, {start.x + size.x, start.y + size.y},
+                           ImGui::GetColorU32(on ? palette::chosen : palette::raised), points(6));
     const float middle = start.y + size.y / 2;
     const float iconX = withLabel ? start.x + points(18) : start.x + size.x / 2;
     drawIcon(list, icon, {iconX, middle}, points(7.5F), ImGui::GetColorU32(on ? palette::text : palette::accent));
     if (withLabel)
-        drawText(list, Face::Body, {start.x + points(31), middle - sizeIn(Face::Body, label).y / 2}, palette::text, label);
+        drawText(list, Face::Body, {start.x + points(31), middle - sizeIn(Face::Body, label).y / 2}, palette::text,
+                 label);
     ImGui::SameLine(0, points(2));
     return pressed;
 }
@@ -49,7 +52,7 @@ void openMenu(ExplorerState& state)
     tooltip("Mesh (.obj .ply .off .stl), scene (.json) or environment (.exr .hdr).  Ctrl+O");
     ImGui::Separator();
     remark("Built in");
-    for (const std::string& name : stockMeshes())
+    for (const std::string& name : stockMeshNames())
         if (ImGui::Selectable(name.c_str(), state.scene.meshFile == name))
             state.requests.push_back({Kind::OpenFile, name});
     if (state.preferences.recentFiles.empty())
@@ -67,7 +70,8 @@ void openMenu(ExplorerState& state)
 void drawOpenButton(ExplorerState& state, bool withLabels)
 {
     const ImVec2 below{ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y + buttonHeight() + points(4)};
-    if (toolButton(Icon::Open, "Open", ImGui::IsPopupOpen("open menu"), withLabels, "Open a file, a built-in mesh or a recent file.  Ctrl+O"))
+    if (toolButton(Icon::Open, "Open", ImGui::IsPopupOpen("open menu"), withLabels,
+                   "Open a file, a built-in mesh or a recent file.  Ctrl+O"))
         ImGui::OpenPopup("open menu");
     ImGui::SetNextWindowPos(below);
     ImGui::SetNextWindowSizeConstraints({points(190), 0}, {points(420), points(560)});
@@ -97,7 +101,8 @@ void drawTitle(const ExplorerState& state, float left, float right, float middle
     const ImVec2 size = sizeIn(Face::Strong, shown);
     if (right - left < points(60))
         return;
-    drawText(*ImGui::GetWindowDrawList(), Face::Strong, {(left + right - size.x) / 2, middle - size.y / 2}, palette::text, shown);
+    drawText(*ImGui::GetWindowDrawList(), Face::Strong, {(left + right - size.x) / 2, middle - size.y / 2},
+             palette::text, shown);
 }
 
 } // namespace
@@ -119,9 +124,11 @@ void drawToolbar(ExplorerState& state)
     if (toolButton(Icon::Turntable, "Turntable", state.turntable, withLabels, "Turn the object under its lights.  T"))
         state.turntable = !state.turntable;
     bool& handles = state.preferences.showLightHandles;
-    if (toolButton(Icon::Lights, "Handles", handles, withLabels, "Show the handles of the lights; drag one to move its light.  H"))
+    if (toolButton(Icon::Lights, "Handles", handles, withLabels,
+                   "Show the handles of the lights; drag one to move its light.  H"))
         handles = !handles;
-    if (toolButton(Icon::Camera, "Picture", false, withLabels, "Save a picture of the view.  F12.  Ctrl+F12 saves the whole window."))
+    if (toolButton(Icon::Camera, "Picture", false, withLabels,
+                   "Save a picture of the view.  F12.  Ctrl+F12 saves the whole window."))
         state.requests.push_back({Kind::SaveView, {}});
     if (toolButton(Icon::Reset, "Reset", false, withLabels, "Back to the scene that the program opens with."))
         state.requests.push_back({Kind::ResetScene, {}});
