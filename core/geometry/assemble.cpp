@@ -12,7 +12,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Hands out one mesh vertex for each pair of file vertex and normal.
 class VertexSplitter {
 public:
-    VertexSplitter(const PolygonSoup& soup, Mesh& mesh) : mesh_(mesh), newest_(soup.positions.size(), PolygonSoup::none) {}
+    VertexSplitter(const PolygonSoup& soup, Mesh& mesh) : mesh_(mesh), newest_(soup.positions.size(), PolygonSoup::none)
+    {
+    }
 
     Index vertex(Index fileVertex, const Vec3d& normal)
     {
@@ -47,8 +49,10 @@ void measureBounds(const PolygonSoup& soup, const Mesh& mesh, MeshReport& report
     report.highest = Vec3d(-infinity);
     for (const Index v : mesh.fileVertex) {
         const Vec3d& p = soup.positions[v];
-        report.lowest = {std::min(report.lowest.x, p.x), std::min(report.lowest.y, p.y), std::min(report.lowest.z, p.z)};
-        report.highest = {std::max(report.highest.x, p.x), std::max(report.highest.y, p.y), std::max(report.highest.z, p.z)};
+        report.lowest = {std::min(report.lowest.x, p.x), std::min(report.lowest.y, p.y),
+                         std::min(report.lowest.z, p.z)};
+        report.highest = {std::max(report.highest.x, p.x), std::max(report.highest.y, p.y),
+                          std::max(report.highest.z, p.z)};
     }
 }
 
@@ -65,7 +69,8 @@ double areaOf(const PolygonSoup& soup, const TriangleList& list)
 {
     double area = 0.0;
     for (const Mesh::Triangle& t : list.vertices)
-        area += 0.5 * length(cross(soup.positions[t[1]] - soup.positions[t[0]], soup.positions[t[2]] - soup.positions[t[0]]));
+        area += 0.5 *
+                length(cross(soup.positions[t[1]] - soup.positions[t[0]], soup.positions[t[2]] - soup.positions[t[0]]));
     return area;
 }
 

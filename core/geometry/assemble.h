@@ -5,8 +5,8 @@
 
 namespace reflectance {
 
-/// Centred and scaled in double, vertices split where normals differ. Fills the report's vertex counts, area and bounds.
-[[nodiscard]] Mesh assembled(const PolygonSoup& soup, const TriangleList& list,
-                             const CornerNormals& normals, MeshReport& report);
+/// Centred and scaled in double, vertices split where normals differ. Fills the report's vertex counts, area, bounds.
+[[nodiscard]] Mesh assembled(const PolygonSoup& soup, const TriangleList& list, const CornerNormals& normals,
+                             MeshReport& report);
 
 } // namespace reflectance

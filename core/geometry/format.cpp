@@ -45,7 +45,8 @@ bool hasBinaryStlSize(std::string_view bytes)
 
 bool isObjWord(std::string_view word)
 {
-    static constexpr std::string_view known[] = {"v", "vn", "vt", "vp", "f", "fo", "g", "o", "s", "p", "l", "mtllib", "usemtl"};
+    static constexpr std::string_view known[] = {"v", "vn", "vt", "vp", "f",      "fo",    "g",
+                                                 "o", "s",  "p",  "l",  "mtllib", "usemtl"};
     return std::find(std::begin(known), std::end(known), word) != std::end(known);
 }
 
@@ -78,7 +79,9 @@ std::optional<Error> whyNoMesh(std::string_view bytes, const std::string& file)
         return Error{"is empty; choose a mesh file", file};
     if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
         return Error{"is UTF-16 text; save it as UTF-8 or plain ASCII", file};
-    if (bytes.starts_with("\x1F\x8B") || bytes.starts_with("PK\x03\x04") || bytes.starts_with("BZh") || bytes.starts_with("\xFD""7zXZ"))
+    if (bytes.starts_with("\x1F\x8B") || bytes.starts_with("PK\x03\x04") || bytes.starts_with("BZh") ||
+        bytes.starts_with("\xFD"
+                          "7zXZ"))
         return Error{"is a compressed archive; unpack it first", file};
     return std::nullopt;
 }

@@ -62,8 +62,9 @@ void noteFlatShading(const TriangleList& list, MeshReport& report)
     constexpr std::size_t fewTriangles = 100; // a cube has flat faces by nature
     if (list.normals.size() >= fewTriangles && report.cornersWithFileNormal == 3 * list.normals.size() &&
         std::all_of(list.normals.begin(), list.normals.end(), isFlat))
-        report.notes.push_back("the file gives every face one normal, so the surface looks faceted; computing the normals "
-                               "anew (--smooth) rounds it");
+        report.notes.push_back(
+            "the file gives every face one normal, so the surface looks faceted; computing the normals "
+            "anew (--smooth) rounds it");
 }
 
 void warnOfNormals(const MeshReport& report, Warnings& warnings)
@@ -154,7 +155,8 @@ std::vector<std::string> stockMeshNames()
     std::vector<std::string> names;
     for (const EmbeddedFile& file : embeddedFiles())
         if (file.name.starts_with(stockFolder) && file.name.ends_with(stockExtension))
-            names.emplace_back(file.name.substr(stockFolder.size(), file.name.size() - stockFolder.size() - stockExtension.size()));
+            names.emplace_back(
+                file.name.substr(stockFolder.size(), file.name.size() - stockFolder.size() - stockExtension.size()));
     std::sort(names.begin(), names.end());
     return names;
 }

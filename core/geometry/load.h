@@ -28,7 +28,8 @@ struct LoadedMesh {
 [[nodiscard]] Result<LoadedMesh> loadMesh(const std::string& path, const LoadOptions& options = {});
 
 /// The same for bytes at hand; `name` ("meshes/mug.obj") names them in errors and gives title and extension.
-[[nodiscard]] Result<LoadedMesh> readMesh(std::string_view bytes, const std::string& name, const LoadOptions& options = {});
+[[nodiscard]] Result<LoadedMesh> readMesh(std::string_view bytes, const std::string& name,
+                                          const LoadOptions& options = {});
 
 /// The meshes that the program carries: "mug", "sphere", ...
 [[nodiscard]] std::vector<std::string> stockMeshNames();

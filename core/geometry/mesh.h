@@ -20,10 +20,11 @@ struct Placement {
 struct Mesh {
     using Triangle = std::array<std::uint32_t, 3>;
 
-    std::string name;                      ///< "mug", for titles
-    std::vector<Vec3d> positions;          ///< centred, inside the unit sphere
-    std::vector<Vec3d> normals;            ///< unit; as many as positions; they agree with the triangles' winding
-    std::vector<std::uint32_t> fileVertex; ///< which of the file's vertices each came from: equal where a crease splits one
+    std::string name;             ///< "mug", for titles
+    std::vector<Vec3d> positions; ///< centred, inside the unit sphere
+    std::vector<Vec3d> normals;   ///< unit; as many as positions; they agree with the triangles' winding
+    std::vector<std::uint32_t>
+        fileVertex; ///< which of the file's vertices each came from: equal where a crease splits one
     std::size_t fileVertexCount = 0;
     std::vector<Triangle> triangles; ///< indices into positions, counter-clockwise seen from outside
     Placement placement;

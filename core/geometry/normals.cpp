@@ -17,7 +17,8 @@ struct CornersAround {
     std::vector<Index> corners; ///< grouped by vertex, ascending
 };
 
-CornersAround cornersAround(const std::vector<Mesh::Triangle>& triangles, const std::vector<Index>& vertexOf, std::size_t vertices)
+CornersAround cornersAround(const std::vector<Mesh::Triangle>& triangles, const std::vector<Index>& vertexOf,
+                            std::size_t vertices)
 {
     CornersAround around;
     around.ends.assign(vertices + 1, 0);
@@ -44,7 +45,8 @@ double angleAt(const Vec3d& a, const Vec3d& b, const Vec3d& c)
 /// Smooths around one vertex at a time; its buffers are kept between vertices.
 class VertexSmoother {
 public:
-    VertexSmoother(const PolygonSoup& soup, const TriangleList& list, const std::vector<Index>& vertexOf, double creaseCosine)
+    VertexSmoother(const PolygonSoup& soup, const TriangleList& list, const std::vector<Index>& vertexOf,
+                   double creaseCosine)
         : soup_(soup), list_(list), vertexOf_(vertexOf), creaseCosine_(creaseCosine)
     {
     }
@@ -160,12 +162,13 @@ CornerNormals fileNormals(const PolygonSoup& soup, TriangleList& list, MeshRepor
     return normals;
 }
 
-void smoothMissingNormals(const PolygonSoup& soup, const TriangleList& list, double creaseAngleDegrees, CornerNormals& normals,
-                          MeshReport& report)
+void smoothMissingNormals(const PolygonSoup& soup, const TriangleList& list, double creaseAngleDegrees,
+                          CornerNormals& normals, MeshReport& report)
 {
     const auto isMissing = [](const Vec3d& normal) { return normal == Vec3d(); };
     for (const auto& corners : normals)
-        report.cornersWithComputedNormal += static_cast<std::size_t>(std::count_if(corners.begin(), corners.end(), isMissing));
+        report.cornersWithComputedNormal +=
+            static_cast<std::size_t>(std::count_if(corners.begin(), corners.end(), isMissing));
     if (report.cornersWithComputedNormal == 0)
         return;
     const std::vector<Index> vertexOf = firstAtSamePlace(soup.positions);
@@ -174,7 +177,8 @@ void smoothMissingNormals(const PolygonSoup& soup, const TriangleList& list, dou
     const double creaseCosine = std::cos(creaseAngleDegrees * std::numbers::pi / 180.0) - 1e-12;
     VertexSmoother smoother(soup, list, vertexOf, creaseCosine);
     for (std::size_t v = 0; v + 1 < around.ends.size(); ++v)
-        smoother.smooth(std::span(around.corners).subspan(around.ends[v], around.ends[v + 1] - around.ends[v]), normals);
+        smoother.smooth(std::span(around.corners).subspan(around.ends[v], around.ends[v + 1] - around.ends[v]),
+                        normals);
 }
 
 } // namespace reflectance

@@ -18,7 +18,7 @@ using CornerNormals = std::vector<std::array<Vec3d, 3>>;
 /// face at the vertex (Thuermer and Wuethrich 1998), which makes the result independent of the triangulation. Vertices
 /// at the same position count as one, so that seams between split vertices stay smooth. Where the sum cancels, the
 /// face's own normal is used (hazard H14).
-void smoothMissingNormals(const PolygonSoup& soup, const TriangleList& list, double creaseAngleDegrees, CornerNormals& normals,
-                          MeshReport& report);
+void smoothMissingNormals(const PolygonSoup& soup, const TriangleList& list, double creaseAngleDegrees,
+                          CornerNormals& normals, MeshReport& report);
 
 } // namespace reflectance

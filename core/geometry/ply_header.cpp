@@ -13,11 +13,11 @@ struct TypeName {
     PlyType type;
 };
 constexpr std::array typeNames{
-    TypeName{"char", PlyType::Int8},     TypeName{"int8", PlyType::Int8},       TypeName{"uchar", PlyType::Uint8},
-    TypeName{"uint8", PlyType::Uint8},   TypeName{"short", PlyType::Int16},     TypeName{"int16", PlyType::Int16},
-    TypeName{"ushort", PlyType::Uint16}, TypeName{"uint16", PlyType::Uint16},   TypeName{"int", PlyType::Int32},
-    TypeName{"int32", PlyType::Int32},   TypeName{"uint", PlyType::Uint32},     TypeName{"uint32", PlyType::Uint32},
-    TypeName{"float", PlyType::Float32}, TypeName{"float32", PlyType::Float32}, TypeName{"double", PlyType::Float64},
+    TypeName{"char", PlyType::Int8},      TypeName{"int8", PlyType::Int8},       TypeName{"uchar", PlyType::Uint8},
+    TypeName{"uint8", PlyType::Uint8},    TypeName{"short", PlyType::Int16},     TypeName{"int16", PlyType::Int16},
+    TypeName{"ushort", PlyType::Uint16},  TypeName{"uint16", PlyType::Uint16},   TypeName{"int", PlyType::Int32},
+    TypeName{"int32", PlyType::Int32},    TypeName{"uint", PlyType::Uint32},     TypeName{"uint32", PlyType::Uint32},
+    TypeName{"float", PlyType::Float32},  TypeName{"float32", PlyType::Float32}, TypeName{"double", PlyType::Float64},
     TypeName{"float64", PlyType::Float64}};
 
 std::optional<PlyType> typeNamed(std::string_view name)

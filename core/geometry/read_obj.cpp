@@ -18,7 +18,8 @@ public:
     Result<PolygonSoup> read()
     {
         for (std::size_t lines = 0; cursor_.toNextContent(); ++lines) {
-            if (lines % 65536 == 0 && !context_.goOn(static_cast<double>(cursor_.offset()) / static_cast<double>(text_.size())))
+            if (lines % 65536 == 0 &&
+                !context_.goOn(static_cast<double>(cursor_.offset()) / static_cast<double>(text_.size())))
                 return context_.stopped();
             readLine(cursor_.word());
             cursor_.nextLine();
@@ -49,10 +50,10 @@ private:
 
     static bool isSilent(std::string_view keyword)
     {
-        static constexpr std::array known{"vt",    "g",     "o",      "s",     "vp",   "cstype", "deg",  "bmat", "step",
-                                          "curv",  "curv2", "surf",   "parm",  "trim", "hole",   "scrv", "sp",   "end",
-                                          "con",   "mg",    "bevel",  "lod",   "maplib", "usemap", "shadow_obj",
-                                          "trace_obj", "c_interp", "d_interp", "ctech", "stech"};
+        static constexpr std::array known{
+            "vt",    "g",    "o",      "s",      "vp",         "cstype",    "deg",      "bmat",     "step",  "curv",
+            "curv2", "surf", "parm",   "trim",   "hole",       "scrv",      "sp",       "end",      "con",   "mg",
+            "bevel", "lod",  "maplib", "usemap", "shadow_obj", "trace_obj", "c_interp", "d_interp", "ctech", "stech"};
         for (const std::string_view name : known)
             if (keyword == name)
                 return true;

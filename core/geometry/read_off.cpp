@@ -48,7 +48,8 @@ private:
         const auto vertices = cursor_.integer();
         const auto faces = cursor_.integer();
         if (!vertices || !faces || *vertices < 0 || *faces < 0)
-            return Error{"the counts of vertices and faces are missing; OFF needs them after its first word", context_.file, line};
+            return Error{"the counts of vertices and faces are missing; OFF needs them after its first word",
+                         context_.file, line};
         vertexCount_ = *vertices;
         faceCount_ = *faces;
         cursor_.nextLine();
@@ -66,7 +67,8 @@ private:
         (void)cursor_.accept('C');
         hasNormals_ = cursor_.accept('N');
         if (!cursor_.accept('O') || !cursor_.accept('F') || !cursor_.accept('F'))
-            return Error{quoted(word) + " is no OFF variant that can be read; use OFF, NOFF or COFF", context_.file, cursor_.line()};
+            return Error{quoted(word) + " is no OFF variant that can be read; use OFF, NOFF or COFF", context_.file,
+                         cursor_.line()};
         soup_.format = word.substr(0, word.find("OFF") + 3);
         if (ahead.word() == "BINARY")
             return Error{"binary OFF cannot be read; save it as text", context_.file, cursor_.line()};
@@ -122,7 +124,10 @@ private:
         cursor_.nextLine(); // a colour may follow
     }
 
-    [[nodiscard]] double done() const { return static_cast<double>(cursor_.offset()) / static_cast<double>(text_.size()); }
+    [[nodiscard]] double done() const
+    {
+        return static_cast<double>(cursor_.offset()) / static_cast<double>(text_.size());
+    }
 
     std::string_view text_;
     TextCursor cursor_;

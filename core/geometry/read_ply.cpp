@@ -96,7 +96,8 @@ std::size_t slotOf(const PlyProperty& property)
 
 bool hasNormals(const PlyElement& element)
 {
-    return std::any_of(element.properties.begin(), element.properties.end(), [](const PlyProperty& p) { return slotOf(p) == 5; });
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [](const PlyProperty& p) { return slotOf(p) == 5; });
 }
 
 bool isIndexList(const PlyProperty& property)
@@ -106,7 +107,8 @@ bool isIndexList(const PlyProperty& property)
 
 Index indexFrom(double value)
 {
-    return value >= 0.0 && value < static_cast<double>(PolygonSoup::none) ? static_cast<Index>(value) : PolygonSoup::none;
+    return value >= 0.0 && value < static_cast<double>(PolygonSoup::none) ? static_cast<Index>(value)
+                                                                          : PolygonSoup::none;
 }
 
 template <class Values> class PlyBody {
@@ -130,7 +132,8 @@ private:
                 return false;
             if (values_.isCutShort() || !values_.begin()) {
                 context_.warnings.add("the file ends before everything it announces", values_.line(),
-                                      quoted(element.name) + " " + std::to_string(i) + " of " + std::to_string(element.count));
+                                      quoted(element.name) + " " + std::to_string(i) + " of " +
+                                          std::to_string(element.count));
                 return true;
             }
             if (element.name == "vertex")

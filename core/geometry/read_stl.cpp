@@ -25,7 +25,9 @@ std::uint32_t littleEndian(const char* bytes)
 
 Vec3d pointAt(const char* bytes)
 {
-    const auto component = [bytes](std::size_t i) { return static_cast<double>(std::bit_cast<float>(littleEndian(bytes + 4 * i))); };
+    const auto component = [bytes](std::size_t i) {
+        return static_cast<double>(std::bit_cast<float>(littleEndian(bytes + 4 * i)));
+    };
     return {component(0), component(1), component(2)};
 }
 
@@ -94,7 +96,8 @@ Result<void> readAscii(std::string_view text, ReadContext& context, PolygonSoup&
         soup.faceLines.push_back(static_cast<Index>(faceLine));
     };
     for (std::size_t lines = 0; cursor.toNextContent(); ++lines) {
-        if (lines % 65536 == 0 && !context.goOn(static_cast<double>(cursor.offset()) / static_cast<double>(text.size())))
+        if (lines % 65536 == 0 &&
+            !context.goOn(static_cast<double>(cursor.offset()) / static_cast<double>(text.size())))
             return context.stopped();
         const std::string_view word = cursor.word();
         if (isWord(word, "vertex")) {

@@ -17,7 +17,7 @@ struct ReadContext {
     std::atomic<double>* progress = nullptr;   ///< 0 .. 1, of the whole way from file to mesh
     const std::atomic<bool>* cancel = nullptr; ///< set by another thread to stop
 
-    double stepBegins = 0.0, stepEnds = 1.0;   ///< the present step's share of `progress`
+    double stepBegins = 0.0, stepEnds = 1.0; ///< the present step's share of `progress`
 
     /// To be called now and then, with how much of the step is done (0 .. 1); false when the work is to stop.
     [[nodiscard]] bool goOn(double done) const

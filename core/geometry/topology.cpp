@@ -62,7 +62,10 @@ std::vector<Side> sortedSides(const std::vector<Mesh::Triangle>& triangles)
 
 class Pieces {
 public:
-    explicit Pieces(std::size_t count) : parent_(count), count_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
+    explicit Pieces(std::size_t count) : parent_(count), count_(count)
+    {
+        std::iota(parent_.begin(), parent_.end(), Index{0});
+    }
 
     void join(Index a, Index b)
     {
@@ -129,7 +132,10 @@ public:
     }
 
     [[nodiscard]] const HalfEdges& mesh() const { return mesh_; }
-    [[nodiscard]] Index vertexOf(HalfEdges::VertexHandle handle) const { return origin_[static_cast<std::size_t>(handle.idx())]; }
+    [[nodiscard]] Index vertexOf(HalfEdges::VertexHandle handle) const
+    {
+        return origin_[static_cast<std::size_t>(handle.idx())];
+    }
     [[nodiscard]] std::size_t separated() const { return separated_; }
 
 private:

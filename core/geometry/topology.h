@@ -13,11 +13,11 @@ struct TopologySummary {
     std::size_t vertices = 0; ///< distinct positions
     std::size_t edges = 0;
     std::size_t triangles = 0;
-    std::size_t components = 0;       ///< pieces whose triangles are joined by edges
-    std::size_t boundaryEdges = 0;    ///< with one triangle
-    std::size_t boundaryLoops = 0;    ///< holes and rims
-    std::size_t nonManifoldEdges = 0; ///< with three triangles or more
-    std::size_t windingConflicts = 0; ///< edges whose two triangles are wound against each other
+    std::size_t components = 0;         ///< pieces whose triangles are joined by edges
+    std::size_t boundaryEdges = 0;      ///< with one triangle
+    std::size_t boundaryLoops = 0;      ///< holes and rims
+    std::size_t nonManifoldEdges = 0;   ///< with three triangles or more
+    std::size_t windingConflicts = 0;   ///< edges whose two triangles are wound against each other
     std::size_t separatedTriangles = 0; ///< which the half-edge structure took only with vertices of their own
 
     [[nodiscard]] bool isClosed() const { return boundaryEdges == 0 && nonManifoldEdges == 0; }

@@ -28,7 +28,8 @@ public:
     FaceSorter(const PolygonSoup& soup, ReadContext& context, MeshReport& report)
         : soup_(soup), context_(context), report_(report), hasNormals_(!soup.cornerNormals.empty())
     {
-        list_.vertices.reserve(soup.corners.size() > 2 * soup.faceCount() ? soup.corners.size() - 2 * soup.faceCount() : 0);
+        list_.vertices.reserve(soup.corners.size() > 2 * soup.faceCount() ? soup.corners.size() - 2 * soup.faceCount()
+                                                                          : 0);
         list_.faceNormals.reserve(list_.vertices.capacity());
         if (hasNormals_)
             list_.normals.reserve(list_.vertices.capacity());
@@ -139,7 +140,8 @@ Vec3d faceNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c)
     const Vec3d normal = ww >= uu && ww >= tt ? cross(u, t) : (tt >= uu ? cross(u, w) : cross(w, t));
     // Each coordinate is known to half a unit in its last place: the cross product of edges about as long as 1 is known
     // to this much.
-    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::max({largest(a), largest(b), largest(c)}) / size;
+    const double rounding =
+        4.0 * std::numeric_limits<double>::epsilon() * std::max({largest(a), largest(b), largest(c)}) / size;
     const double sine = std::sqrt(dot(normal, normal));
     return sine > rounding ? normalized(normal) : Vec3d();
 }

@@ -1,7 +1,7 @@
 #include "core/geometry/camera.h"
 
-#include <gtest/gtest.h>
 #include <glm/vec4.hpp>
+#include <gtest/gtest.h>
 
 namespace reflectance::testing {
 namespace {
@@ -11,8 +11,7 @@ constexpr int height = 480;
 
 std::vector<Camera> cameras()
 {
-    return {Camera{},
-            Camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 20.0},
+    return {Camera{}, Camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 20.0},
             Camera{{-3, 2, -1}, {0.2, 0.1, -0.3}, {0, 0, 1}, 90.0},
             Camera{{0, 4, 0}, {0, 0, 0}, {0, 1, 0}, 35.0}}; // looks straight down along `up`
 }
@@ -20,7 +19,8 @@ std::vector<Camera> cameras()
 TEST(Camera, RaysLeadToWhatIsProjected)
 {
     for (const Camera& camera : cameras())
-        for (const auto& [x, y] : {std::pair(0.5, 0.5), std::pair(320.0, 240.0), std::pair(631.25, 17.0), std::pair(100.0, 479.5)}) {
+        for (const auto& [x, y] :
+             {std::pair(0.5, 0.5), std::pair(320.0, 240.0), std::pair(631.25, 17.0), std::pair(100.0, 479.5)}) {
             const Vec3d there = camera.eye + 2.5 * rayThrough(camera, x, y, width, height);
             const Vec3d back = projected(camera, there, width, height);
             EXPECT_NEAR(back.x, x, 1e-10); // some ten roundings of numbers below 1000

@@ -40,18 +40,33 @@ std::vector<Survived> survivedFiles()
         {"a NaN vertex in one face", "a.obj", good + "v nan nan nan\nf 1 2 5\n", 1, 1, 0},
         {"an infinite vertex in one face", "a.obj", good + "v inf 0 0\nf 1 2 5\n", 1, 1, 0},
         {"lines, points and free-form curves", "a.obj", good + "l 1 2\np 3\ncurv 0 1 2\n", 1, 0, 0},
-        {"binary junk at the end", "a.obj", good + std::string(5000, '#') + std::string("\n\0\x01\xFF\xFE", 5), 1, 0, 0},
+        {"binary junk at the end", "a.obj", good + std::string(5000, '#') + std::string("\n\0\x01\xFF\xFE", 5), 1, 0,
+         0},
         {"ply: more vertices announced than there are", "a.ply",
-         plyHead + "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1000000000000000000\n" + plyFace + "3 0 1 2\n", 1, 0, 0},
-        {"ply: a negative list count", "a.ply", plyHead + plyVertex + "element face 2\n" + plyFace + "-3 0 1 2\n3 0 1 2\n", 1, 1, 0},
-        {"ply: a list of a thousand million", "a.ply", plyHead + plyVertex + "element face 2\n" + plyFace + "1000000000 0 1 2\n3 0 1 2\n", 1, 1, 0},
+         plyHead +
+             "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+             "1000000000000000000\n" +
+             plyFace + "3 0 1 2\n",
+         1, 0, 0},
+        {"ply: a negative list count", "a.ply",
+         plyHead + plyVertex + "element face 2\n" + plyFace + "-3 0 1 2\n3 0 1 2\n", 1, 1, 0},
+        {"ply: a list of a thousand million", "a.ply",
+         plyHead + plyVertex + "element face 2\n" + plyFace + "1000000000 0 1 2\n3 0 1 2\n", 1, 1, 0},
         {"ply: an element without properties", "a.ply",
-         plyHead + "element nothing 1000000000000000000\n" + plyVertex + "element face 1\n" + plyFace + "3 0 1 2\n", 1, 0, 0},
-        {"ply: indices that are no indices", "a.ply", plyHead + plyVertex + "element face 3\n" + plyFace + "3 0 1 nan\n3 0 1 -7\n3 0 1 2\n", 1, 2, 0},
-        {"off: a face of -4 and one of a thousand million corners", "a.off", "OFF\n3 3 0\n" + offTriangle + "-4 0 1 2\n1000000000 0 1 2\n3 0 1 2\n", 1, 2, 0},
-        {"off: more faces announced than there are", "a.off", "OFF\n3 4000000000 0\n" + offTriangle + "3 0 1 2\n", 1, 0, 0},
-        {"coff: a bad face with a colour", "a.off", "COFF\n3 2 0\n0 0 0 1 1 1\n1 0 0 1 1 1\n0 1 0 1 1 1\n3 0 1 9 255 0 0\n3 0 1 2 255 0 0\n", 1, 1, 0},
-        {"stl: text cut within a facet", "a.stl", "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nfacet\nouter loop\nvertex 1", 1, 1, 0},
+         plyHead + "element nothing 1000000000000000000\n" + plyVertex + "element face 1\n" + plyFace + "3 0 1 2\n", 1,
+         0, 0},
+        {"ply: indices that are no indices", "a.ply",
+         plyHead + plyVertex + "element face 3\n" + plyFace + "3 0 1 nan\n3 0 1 -7\n3 0 1 2\n", 1, 2, 0},
+        {"off: a face of -4 and one of a thousand million corners", "a.off",
+         "OFF\n3 3 0\n" + offTriangle + "-4 0 1 2\n1000000000 0 1 2\n3 0 1 2\n", 1, 2, 0},
+        {"off: more faces announced than there are", "a.off", "OFF\n3 4000000000 0\n" + offTriangle + "3 0 1 2\n", 1, 0,
+         0},
+        {"coff: a bad face with a colour", "a.off",
+         "COFF\n3 2 0\n0 0 0 1 1 1\n1 0 0 1 1 1\n0 1 0 1 1 1\n3 0 1 9 255 0 0\n3 0 1 2 255 0 0\n", 1, 1, 0},
+        {"stl: text cut within a facet", "a.stl",
+         "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nfacet\nouter "
+         "loop\nvertex 1",
+         1, 1, 0},
     };
 }
 
@@ -88,14 +103,18 @@ std::vector<Refused> refusedFiles()
         {"a compressed file", "a.obj", "\x1F\x8B\x08", "unpack it first"},
         {"a picture", "a.obj", "\x89PNG\r\n\x1A\n" + nul + nul, "not a mesh of a known format"},
         {"a web page", "page", "<html><body>404</body></html>", "not a mesh of a known format"},
-        {"ply without format", "a.ply", "ply\nelement vertex 3\nend_header\n", "a.ply:3: the PLY header has no format line"},
+        {"ply without format", "a.ply", "ply\nelement vertex 3\nend_header\n",
+         "a.ply:3: the PLY header has no format line"},
         {"ply with an unknown format", "a.ply", "ply\nformat utf8 1.0\nend_header\n", "a.ply:2: the format is none of"},
         {"ply without end_header", "a.ply", plyHead + plyVertex, "does not end"},
-        {"ply: property before any element", "a.ply", plyHead + "elemnt vertex 3\n", "\"elemnt\" is not a PLY header line"},
+        {"ply: property before any element", "a.ply", plyHead + "elemnt vertex 3\n",
+         "\"elemnt\" is not a PLY header line"},
         {"ply: property first", "a.ply", plyHead + "property float x\n", "stands before the first element"},
-        {"ply: a count that is a word", "a.ply", plyHead + "element vertex many\n", "a.ply:3: the number of elements \"vertex\""},
+        {"ply: a count that is a word", "a.ply", plyHead + "element vertex many\n",
+         "a.ply:3: the number of elements \"vertex\""},
         {"ply: a negative count", "a.ply", plyHead + "element vertex -5\n", "is not a count"},
-        {"ply: an unknown type, unprintable", "a.ply", plyHead + "element vertex 1\nproperty fl\x01\x02 x\n", "\"fl?\?\" is not known"},
+        {"ply: an unknown type, unprintable", "a.ply", plyHead + "element vertex 1\nproperty fl\x01\x02 x\n",
+         "\"fl?\?\" is not known"},
         {"stl too short", "a.stl", "tiny" + nul, "too short for an STL"},
         {"stl with nothing in it", "a.stl", "solid empty\nendsolid\n", "lists 0 vertices and no faces"},
     };
@@ -118,7 +137,8 @@ TEST(DamagedFiles, NoCutAndNoChangedByteDoesHarm)
     const std::string obj = square + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\nf -4 -3 -2\n";
     const std::string ply = plyHead + plyVertex + "element face 1\n" + plyFace + "3 0 1 2\n";
     const std::string off = "OFF\n3 1 0\n" + offTriangle + "3 0 1 2\n";
-    std::string bigPly = "ply\nformat binary_big_endian 1.0\n" + plyVertex + "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    std::string bigPly = "ply\nformat binary_big_endian 1.0\n" + plyVertex +
+                         "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
     bigPly += std::string(36, '\x3F') + "\x03" + std::string("\0\0\0\0\0\0\0\1\0\0\0\2", 12);
     const auto check = [](const std::string& bytes, const char* name) {
         const auto mesh = readMesh(bytes, name);
@@ -132,7 +152,8 @@ TEST(DamagedFiles, NoCutAndNoChangedByteDoesHarm)
         for (const Vec3d& p : mesh.value().mesh->positions)
             ASSERT_LE(length(p), 1.0 + 1e-12) << name; // the farthest point is 1 up to rounding
     };
-    for (const auto& [bytes, name] : {std::pair(obj, "a.obj"), std::pair(ply, "a.ply"), std::pair(off, "a.off"), std::pair(bigPly, "b.ply")})
+    for (const auto& [bytes, name] :
+         {std::pair(obj, "a.obj"), std::pair(ply, "a.ply"), std::pair(off, "a.off"), std::pair(bigPly, "b.ply")})
         for (std::size_t i = 0; i < bytes.size(); ++i) {
             check(bytes.substr(0, i), name);
             for (const char c : {'\0', '\n', '-', '9', '\xFF'}) {

@@ -69,7 +69,8 @@ TEST_F(LoadTest, AMaterialFileIsNeverOpened)
 {
     // A pipe would block whoever opened it.
     ASSERT_EQ(::mkfifo((folder_ / "trap.mtl").c_str(), 0600), 0);
-    EXPECT_EQ(sentence(file("cube.obj", "mtllib trap.mtl\nmtllib ../../../dev/zero\n" + cubeVertices() + cubeFaces())), "");
+    EXPECT_EQ(sentence(file("cube.obj", "mtllib trap.mtl\nmtllib ../../../dev/zero\n" + cubeVertices() + cubeFaces())),
+              "");
 }
 
 TEST(Load, UnknownNamesGetAnAnswerThatHelps)

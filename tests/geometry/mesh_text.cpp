@@ -16,7 +16,8 @@ const std::vector<Vec3d>& cubeCorners()
 
 const std::vector<std::vector<int>>& cubeQuads()
 {
-    static const std::vector<std::vector<int>> quads{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 4, 7, 3}, {1, 2, 6, 5}};
+    static const std::vector<std::vector<int>> quads{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                     {2, 3, 7, 6}, {0, 4, 7, 3}, {1, 2, 6, 5}};
     return quads;
 }
 
@@ -52,11 +53,14 @@ std::string sphereObj(int rows, int columns, double scale, const Vec3d& offset)
         for (int column = 0; column < columns; ++column) {
             const double latitude = std::numbers::pi * row / rows;
             const double longitude = 2.0 * std::numbers::pi * column / columns;
-            add({std::sin(latitude) * std::cos(longitude), std::cos(latitude), -std::sin(latitude) * std::sin(longitude)});
+            add({std::sin(latitude) * std::cos(longitude), std::cos(latitude),
+                 -std::sin(latitude) * std::sin(longitude)});
         }
     add({0, -1, 0});
     const int last = (rows - 1) * columns + 2;
-    const auto id = [&](int row, int column) { return row == 0 ? 1 : (row == rows ? last : 2 + (row - 1) * columns + column % columns); };
+    const auto id = [&](int row, int column) {
+        return row == 0 ? 1 : (row == rows ? last : 2 + (row - 1) * columns + column % columns);
+    };
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
             text += "f " + std::to_string(id(row, column)) + " " + std::to_string(id(row + 1, column));

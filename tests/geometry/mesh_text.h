@@ -20,7 +20,8 @@ namespace reflectance::testing {
 [[nodiscard]] std::string sphereObj(int rows, int columns, double scale = 1.0, const Vec3d& offset = {});
 
 /// The mesh, or a failed test and an empty one.
-[[nodiscard]] LoadedMesh loaded(const std::string& bytes, const std::string& name = "test.obj", const LoadOptions& options = {});
+[[nodiscard]] LoadedMesh loaded(const std::string& bytes, const std::string& name = "test.obj",
+                                const LoadOptions& options = {});
 
 /// The sentence of the refusal; empty when the bytes were accepted.
 [[nodiscard]] std::string refusal(const std::string& bytes, const std::string& name = "test.obj");

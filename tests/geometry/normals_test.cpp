@@ -75,9 +75,11 @@ TEST(Normals, SeamsOfSplitVerticesStaySmooth)
             text += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
         }
     for (std::size_t i = 0; i < whole.mesh->triangles.size(); ++i)
-        text += "f " + std::to_string(3 * i + 1) + " " + std::to_string(3 * i + 2) + " " + std::to_string(3 * i + 3) + "\n";
+        text +=
+            "f " + std::to_string(3 * i + 1) + " " + std::to_string(3 * i + 2) + " " + std::to_string(3 * i + 3) + "\n";
     const LoadedMesh soup = loaded(text);
-    EXPECT_NEAR(largestAngleToPosition(*soup.mesh), largestAngleToPosition(*whole.mesh), 1e-5); // six decimals were written
+    EXPECT_NEAR(largestAngleToPosition(*soup.mesh), largestAngleToPosition(*whole.mesh),
+                1e-5); // six decimals were written
 }
 
 TEST(Normals, BadOnesAreReplacedAndCounted) // hazard H13
@@ -91,7 +93,8 @@ TEST(Normals, BadOnesAreReplacedAndCounted) // hazard H13
 
 TEST(Normals, TinyAndHugeOnesAreDirectionsToo) // hazards H10 to H12
 {
-    const LoadedMesh m = loaded("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 5e-324\nvn 0 0 1e308\nvn 3e-200 0 4e-200\nf 1//1 2//2 3//3\n");
+    const LoadedMesh m =
+        loaded("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 5e-324\nvn 0 0 1e308\nvn 3e-200 0 4e-200\nf 1//1 2//2 3//3\n");
     EXPECT_EQ(m.report.cornersWithBadNormal, 0U);
     EXPECT_EQ(m.mesh->normals[0], Vec3d(0, 0, 1));
     EXPECT_EQ(m.mesh->normals[1], Vec3d(0, 0, 1));

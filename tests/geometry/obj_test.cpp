@@ -24,7 +24,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 std::vector<Writing> writings()
 {
     const std::string plain = cubeVertices() + cubeFaces();
-    const std::string negative = cubeVertices() + "f -8 -5 -6 -7\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -6 -5 -1 -2\nf -8 -4 -1 -5\nf -7 -6 -2 -3\n";
+    const std::string negative =
+        cubeVertices() + "f -8 -5 -6 -7\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -6 -5 -1 -2\nf -8 -4 -1 -5\nf -7 -6 -2 -3\n";
     return {
         {"plain", plain},
         {"CRLF line ends", replaced(plain, "\n", "\r\n")},
@@ -90,7 +91,8 @@ TEST(Obj, SplitsVerticesOnlyWhereNormalsDiffer)
 
 TEST(Obj, ADamagedVertexShiftsNoIndex)
 {
-    const std::string broken = "v nan 0 0\nv 1e400 0 0\nv only words\nv 1 2\n" + cubeVertices() + replaced(cubeFaces(), "f ", "f ");
+    const std::string broken =
+        "v nan 0 0\nv 1e400 0 0\nv only words\nv 1 2\n" + cubeVertices() + replaced(cubeFaces(), "f ", "f ");
     std::string shifted;
     for (const auto& quad : cubeQuads()) {
         shifted += "f";

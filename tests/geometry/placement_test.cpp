@@ -18,11 +18,11 @@ TEST(Placement, OffsetAndScaleDoNotShow)
 {
     const LoadedMesh plain = loaded(sphereObj(24, 48));
     const std::vector<Place> places{
-        {1.0, {1e7, -1e7, 1e7}, 1e-7},   // spacing at 1e7 is 2e-9; a facet is 0.06 wide: normals turn by 2e-9/0.06
-        {1e-3, {100, 0, 0}, 1e-9},       // 1.4e-14 / 6e-5
-        {1e-20, {}, 1e-13},              // rounding alone
-        {1e30, {}, 1e-13},               // squares of 1e30 do not fit a float
-        {1e-200, {}, 1e-13},             // nor those of 1e-200 a double
+        {1.0, {1e7, -1e7, 1e7}, 1e-7}, // spacing at 1e7 is 2e-9; a facet is 0.06 wide: normals turn by 2e-9/0.06
+        {1e-3, {100, 0, 0}, 1e-9},     // 1.4e-14 / 6e-5
+        {1e-20, {}, 1e-13},            // rounding alone
+        {1e30, {}, 1e-13},             // squares of 1e30 do not fit a float
+        {1e-200, {}, 1e-13},           // nor those of 1e-200 a double
         {1e200, {}, 1e-13},
     };
     for (const Place& place : places) {

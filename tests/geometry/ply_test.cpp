@@ -21,8 +21,9 @@ template <class Number> void append(std::string& bytes, Number value, bool big)
 
 std::string header(const std::string& format, const std::string& coordinate, const std::string& index)
 {
-    return "ply\nformat " + format + " 1.0\ncomment a cube\nelement vertex 8\nproperty " + coordinate + " x\nproperty " + coordinate +
-           " y\nproperty " + coordinate + " z\nelement face 6\nproperty list uchar " + index + " vertex_indices\nend_header\n";
+    return "ply\nformat " + format + " 1.0\ncomment a cube\nelement vertex 8\nproperty " + coordinate +
+           " x\nproperty " + coordinate + " y\nproperty " + coordinate + " z\nelement face 6\nproperty list uchar " +
+           index + " vertex_indices\nend_header\n";
 }
 
 template <class Coordinate, class Index> std::string binaryCube(const std::string& head, bool big)
@@ -63,9 +64,12 @@ TEST(Ply, ReadsEveryEncodingAndType)
     expectCube(asciiCube(), "ascii");
     expectCube(binaryCube<float, std::int32_t>(header("binary_little_endian", "float", "int"), false), "little-endian");
     expectCube(binaryCube<float, std::int32_t>(header("binary_big_endian", "float", "int"), true), "big-endian");
-    expectCube(binaryCube<double, std::uint32_t>(header("binary_little_endian", "double", "uint"), false), "double and uint");
-    expectCube(binaryCube<std::int16_t, std::uint8_t>(header("binary_big_endian", "short", "uchar"), true), "short and uchar");
-    expectCube(binaryCube<std::int8_t, std::uint16_t>(header("binary_little_endian", "int8", "uint16"), false), "int8 and uint16");
+    expectCube(binaryCube<double, std::uint32_t>(header("binary_little_endian", "double", "uint"), false),
+               "double and uint");
+    expectCube(binaryCube<std::int16_t, std::uint8_t>(header("binary_big_endian", "short", "uchar"), true),
+               "short and uchar");
+    expectCube(binaryCube<std::int8_t, std::uint16_t>(header("binary_little_endian", "int8", "uint16"), false),
+               "int8 and uint16");
 }
 
 TEST(Ply, APlantedWrongByteOrderIsNoticed)
@@ -76,18 +80,20 @@ TEST(Ply, APlantedWrongByteOrderIsNoticed)
 
 TEST(Ply, StepsOverWhatItDoesNotKnow)
 {
-    const std::string text = "ply\r\nformat ascii 1.0\r\nelement material 1\r\nproperty list uchar float values\r\nproperty int id\r\n"
-                             "element vertex 3\r\nproperty uchar red\r\nproperty float y\r\nproperty float x\r\nproperty float z\r\n"
-                             "element face 1\r\nproperty list uchar uchar texture\r\nproperty list uchar int vertex_index\r\n"
-                             "end_header\r\n2 0.5 0.5 7\r\n255 0 0 0\r\n255 0 2 0\r\n255 2 0 0\r\n1 9 3 0 1 2\r\n";
+    const std::string text =
+        "ply\r\nformat ascii 1.0\r\nelement material 1\r\nproperty list uchar float values\r\nproperty int id\r\n"
+        "element vertex 3\r\nproperty uchar red\r\nproperty float y\r\nproperty float x\r\nproperty float z\r\n"
+        "element face 1\r\nproperty list uchar uchar texture\r\nproperty list uchar int vertex_index\r\n"
+        "end_header\r\n2 0.5 0.5 7\r\n255 0 0 0\r\n255 0 2 0\r\n255 2 0 0\r\n1 9 3 0 1 2\r\n";
     EXPECT_EQ(loaded(text, "a.ply").report.area, 2.0);
 }
 
 TEST(Ply, ReadsNormalsOfVertices)
 {
-    const std::string text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-                             "property float nx\nproperty float ny\nproperty float nz\nelement face 1\n"
-                             "property list uchar int vertex_indices\nend_header\n0 0 0 0 0 3\n1 0 0 0 0 3\n0 1 0 0 0 3\n3 0 1 2\n";
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty float ny\nproperty float nz\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n0 0 0 0 0 3\n1 0 0 0 0 3\n0 1 0 0 0 3\n3 0 1 2\n";
     const LoadedMesh m = loaded(text, "a.ply");
     EXPECT_EQ(m.report.cornersWithFileNormal, 3U);
     EXPECT_EQ(m.mesh->normals[2], Vec3d(0, 0, 1));

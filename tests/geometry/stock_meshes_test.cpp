@@ -19,7 +19,8 @@ LoadedMesh stockMesh(const std::string& name)
 
 TEST(StockMeshes, AreAllThere)
 {
-    EXPECT_THAT(stockMeshNames(), ::testing::ElementsAre("cube", "mug", "sphere", "teapot", "torus_knot", "vase", "wavy_plane"));
+    EXPECT_THAT(stockMeshNames(),
+                ::testing::ElementsAre("cube", "mug", "sphere", "teapot", "torus_knot", "vase", "wavy_plane"));
 }
 
 TEST(StockMeshes, AreCleanAndSmall)

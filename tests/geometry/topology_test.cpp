@@ -79,7 +79,8 @@ TEST(Topology, OfATorusIsThatOfATorus)
             const double a = i * 0.7853981633974483;
             const double b = k * 0.7853981633974483;
             const double radius = 2.0 + std::cos(b);
-            text += "v " + std::to_string(radius * std::cos(a)) + " " + std::to_string(std::sin(b)) + " " + std::to_string(radius * std::sin(a)) + "\n";
+            text += "v " + std::to_string(radius * std::cos(a)) + " " + std::to_string(std::sin(b)) + " " +
+                    std::to_string(radius * std::sin(a)) + "\n";
         }
     const auto id = [](int i, int k) { return " " + std::to_string((i % 8) * 8 + k % 8 + 1); };
     for (int i = 0; i < 8; ++i)

@@ -68,7 +68,9 @@ Polygon comb(std::size_t teeth)
 Polygon spiral(std::size_t steps)
 {
     Polygon polygon;
-    const auto point = [](double turn, double radius) { return Vec3d{radius * std::cos(turn), radius * std::sin(turn), 0.0}; };
+    const auto point = [](double turn, double radius) {
+        return Vec3d{radius * std::cos(turn), radius * std::sin(turn), 0.0};
+    };
     for (std::size_t i = 0; i < steps; ++i)
         polygon.push_back(point(0.03 * static_cast<double>(i), 1.0 + 0.003 * static_cast<double>(i)));
     for (std::size_t i = steps; i-- > 0;)
@@ -82,7 +84,8 @@ TEST(Triangulate, CoversSimplePolygonsExactly)
     expectExactCover({{0, 0, 0}, {2, 0, 0}, {0.4, 0.4, 0}, {0, 2, 0}}, "concave quad");
     expectExactCover({{2, 0, 0}, {0.4, 0.4, 0}, {0, 2, 0}, {0, 0, 0}}, "concave quad, begun elsewhere");
     expectExactCover({{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 2, 0}, {3, 2, 0}, {3, 3, 0}, {0, 3, 0}}, "C");
-    expectExactCover({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}}, "corners on straight edges");
+    expectExactCover({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}},
+                     "corners on straight edges");
     expectExactCover(star(5, 0.3), "star");
     expectExactCover(comb(20), "comb");
     expectExactCover(spiral(300), "spiral");
@@ -113,7 +116,8 @@ TEST(Triangulate, HoldsInEveryPlaneAndSize)
 TEST(Triangulate, AHoleJoinedByABridgeStaysAHole)
 {
     // A square of area 16 with a square hole of area 4; the bridge runs along (0,0)-(1,1) and back.
-    const Polygon polygon{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
+    const Polygon polygon{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
+                          {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
     EXPECT_NEAR(areaOfTriangles(polygon), 12.0, 1e-14);
 }
 

@@ -39,7 +39,8 @@ ProfilePoint wallAt(const std::vector<ProfilePoint>& profile, double height)
         if (a.radius > 3.5 && a.height <= height && height <= b.height && b.height > a.height) {
             const double t = (height - a.height) / (b.height - a.height);
             const auto mixed = [t](double from, double to) { return from + t * (to - from); };
-            return {mixed(a.radius, b.radius), height, mixed(a.normalRadius, b.normalRadius), mixed(a.normalHeight, b.normalHeight)};
+            return {mixed(a.radius, b.radius), height, mixed(a.normalRadius, b.normalRadius),
+                    mixed(a.normalHeight, b.normalHeight)};
         }
     }
     return profile.front();
@@ -145,11 +146,13 @@ void addHandle(Shape& shape, const std::vector<ProfilePoint>& profile)
         const Vec3d& p = points[i].position;
         const ProfilePoint wall = wallAt(profile, p.y);
         const double radius = std::hypot(p.x, p.z);
-        const Vec3d normal = normalized(Vec3d{wall.normalRadius * p.x / radius, wall.normalHeight, wall.normalRadius * p.z / radius});
+        const Vec3d normal =
+            normalized(Vec3d{wall.normalRadius * p.x / radius, wall.normalHeight, wall.normalRadius * p.z / radius});
         const double share = std::pow(wallness[i], 12.0);
         points[i].normal = normalized((1.0 - share) * points[i].normal + share * normal);
     }
-    addGrid(shape, size, [&](int row, int column) { return points[static_cast<std::size_t>(row * handleSegments + column)]; });
+    addGrid(shape, size,
+            [&](int row, int column) { return points[static_cast<std::size_t>(row * handleSegments + column)]; });
 }
 
 } // namespace

@@ -95,7 +95,8 @@ void addArc(std::vector<ProfilePoint>& profile, Flat corner, Flat in, Flat out, 
     const double side = turn > 0.0 ? 1.0 : -1.0; // to the left: the arc's centre lies inside
     const Flat start = corner - (rounding * std::tan(std::fabs(turn) / 2.0)) * in;
     const Flat centre = start - (side * rounding) * rightOf(in);
-    const int pieces = std::max(1, static_cast<int>(std::ceil(std::fabs(turn) * 180.0 / std::numbers::pi / arcDegrees)));
+    const int pieces =
+        std::max(1, static_cast<int>(std::ceil(std::fabs(turn) * 180.0 / std::numbers::pi / arcDegrees)));
     for (int i = 1; i < pieces; ++i) {
         const double a = turn * i / pieces;
         const Flat right = rightOf(in);
@@ -135,12 +136,18 @@ std::vector<SurfacePoint> withNormals(const GridSize& size, const std::vector<Ve
     const auto neighbour = [](int i, int step, int count, bool closes) {
         return closes ? (i + step + count) % count : std::clamp(i + step, 0, count - 1);
     };
-    const auto at = [&](int row, int column) { return positions[static_cast<std::size_t>(row * size.columns + column)]; };
+    const auto at = [&](int row, int column) {
+        return positions[static_cast<std::size_t>(row * size.columns + column)];
+    };
     std::vector<SurfacePoint> points;
     for (int row = 0; row < size.rows; ++row)
         for (int column = 0; column < size.columns; ++column) {
-            const auto alongRows = [&](int step) { return at(neighbour(row, step, size.rows, size.rowsClose), column); };
-            const auto alongColumns = [&](int step) { return at(row, neighbour(column, step, size.columns, size.columnsClose)); };
+            const auto alongRows = [&](int step) {
+                return at(neighbour(row, step, size.rows, size.rowsClose), column);
+            };
+            const auto alongColumns = [&](int step) {
+                return at(row, neighbour(column, step, size.columns, size.columnsClose));
+            };
             Vec3d normal = normalized(cross(alongRows(1) - alongRows(-1), alongColumns(1) - alongColumns(-1)));
             if (dot(normal, outward(at(row, column))) < 0.0)
                 normal = -normal;

@@ -48,7 +48,8 @@ struct ProfileCorner {
 
 /// A chain of straight lines with rounded corners, outward being to the right of its direction.
 /// Arcs get a point every `arcDegrees`, straight pieces one every `step` at most.
-[[nodiscard]] std::vector<ProfilePoint> roundedProfile(const std::vector<ProfileCorner>& corners, double arcDegrees, double step);
+[[nodiscard]] std::vector<ProfilePoint> roundedProfile(const std::vector<ProfileCorner>& corners, double arcDegrees,
+                                                       double step);
 
 /// The profile turned about the y axis.
 void addRevolved(Shape& shape, const std::vector<ProfilePoint>& profile, int segments);

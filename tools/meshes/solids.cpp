@@ -60,7 +60,8 @@ Shape torusKnot()
 Shape cube()
 {
     constexpr int points = 9;
-    static constexpr std::array<Vec3d, 6> normals{Vec3d{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    static constexpr std::array<Vec3d, 6> normals{Vec3d{1, 0, 0}, {-1, 0, 0}, {0, 1, 0},
+                                                  {0, -1, 0},     {0, 0, 1},  {0, 0, -1}};
     Shape shape;
     for (const Vec3d& normal : normals) {
         const Vec3d u{normal.z, normal.x, normal.y};
