@@ -2,7 +2,7 @@
 // core/reflectance/frame.h. The names in this file are reserved; no model may define or shadow them.
 //
 // GLSL's pow is never used: on llvmpipe it is 1 % wrong at n = 1e5, 10 % at 1e6 and 94 % at 1e7, and exp and log are
-// only good to 15 units in the last place. The few lines below stay within 4 units everywhere.
+// only good to 15 units in the last place. What follows is as good as its rounded inputs allow.
 
 float lightDisc = 0.0; // (2 sin(a/2))^2 of the light's angular radius a; the frame sets it for each light
 

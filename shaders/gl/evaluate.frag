@@ -6,8 +6,6 @@ uniform sampler2D rowIntensities; // I, disc
 
 layout(location = 0) out vec4 value;
 
-vec3 environment(vec3 direction) { return vec3(0.0); }
-
 void main()
 {
     ivec2 texel = ivec2(gl_FragCoord.xy);

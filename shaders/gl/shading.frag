@@ -5,9 +5,6 @@ uniform int samplesPerAxis;
 uniform int lightCount;
 uniform vec3 eye;
 uniform vec3 backgroundColor;
-uniform vec3 cornerRay; // ray of the image's lower left corner, and its change per sample
-uniform vec3 rayStepX;
-uniform vec3 rayStepY;
 
 layout(location = 0) out vec4 radianceAndCoverage;
 
@@ -30,7 +27,7 @@ vec3 shadeSample(vec3 N, vec3 P)
 vec3 backgroundAt(ivec2 texel)
 {
 #ifdef ENVIRONMENT_BACKGROUND
-    return environment(normalize(cornerRay + (float(texel.x) + 0.5) * rayStepX + (float(texel.y) + 0.5) * rayStepY));
+    return environment(normalize(sampleRay(texel)));
 #else
     return backgroundColor;
 #endif

@@ -82,7 +82,8 @@ Result<std::vector<Vec3d>> EvaluatePass::run(const Model& model, std::span<const
     const auto program = programs_.find(model.id(), [&] {
         return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
                                assembled({}, {shaderFile("prelude.glsl"), parameterDeclarations(model.text),
-                                              modelCode(model.text), shaderFile("gl/evaluate.frag")}));
+                                              modelCode(model.text), shaderFile("gl/no_surroundings.glsl"),
+                                              shaderFile("gl/evaluate.frag")}));
     });
     if (!program)
         return program.error();

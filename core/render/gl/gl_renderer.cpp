@@ -60,7 +60,7 @@ struct GlRenderer::State {
     /// Refuses what the driver cannot hold, before anything is allocated.
     [[nodiscard]] Result<void> fits(const RenderSettings& settings) const;
     void allocate(const RenderSettings& settings);
-    void see(const ViewInputs& view);
+    [[nodiscard]] Result<void> see(const ViewInputs& view);
     [[nodiscard]] Result<void> shade(const ShadingInputs& inputs);
     void develop(const Sensor& settings);
     /// Runs the passes whose inputs changed.
@@ -70,7 +70,7 @@ struct GlRenderer::State {
     template <class T> [[nodiscard]] Result<T> closed(Result<T> done)
     {
         leaveState(functions->gl());
-        work.programLinks = 2 + shading.programs() + (evaluation ? evaluation->programs() : 0);
+        work.programLinks = 3 + shading.programs() + (evaluation ? evaluation->programs() : 0);
         const auto complaint = functions->complaint();
         return done && !complaint ? Result<T>(complaint.error()) : std::move(done);
     }
@@ -98,7 +98,7 @@ Result<void> GlRenderer::State::fits(const RenderSettings& s) const
     functions->gl().GetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     const long across = static_cast<long>(s.width) * s.samplesPerAxis;
     const long down = static_cast<long>(s.height) * s.samplesPerAxis;
-    constexpr double bytesPerSample = 16 + 16 + 4; // N and flag, P and tag, depth
+    constexpr double bytesPerSample = 4 + 4 + 16 + 16; // triangle, depth, N, P
     constexpr double bytesPerPixel = 16 + 4;       // linear, developed
     constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
     const double needed = static_cast<double>(across) * static_cast<double>(down) * bytesPerSample +
@@ -126,24 +126,28 @@ void GlRenderer::State::allocate(const RenderSettings& settings)
     ++work.allocations;
 }
 
-void GlRenderer::State::see(const ViewInputs& view)
+Result<void> GlRenderer::State::see(const ViewInputs& view)
 {
+    seen.reset();
+    shaded.reset();
     if (uploaded != view.mesh) {
-        mesh.upload(*view.mesh);
+        uploaded.reset();
+        if (auto done = mesh.upload(*view.mesh); !done)
+            return done;
         uploaded = view.mesh;
         ++work.meshUploads;
     }
-    visibility.draw(mesh, view.camera);
+    visibility.draw(mesh, view.camera, view.settings);
     ++work.visibilities;
     seen = view;
-    shaded.reset();
+    return {};
 }
 
 Result<void> GlRenderer::State::shade(const ShadingInputs& inputs)
 {
     shaded.reset();
     developed.reset();
-    if (auto drawn = shading.draw(visibility.samples(), inputs, seen->camera, seen->settings); !drawn)
+    if (auto drawn = shading.draw(visibility.surface(), inputs, seen->camera, seen->settings); !drawn)
         return drawn;
     ++work.shadings;
     shaded = inputs;
@@ -165,8 +169,10 @@ Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings&
         allocate(settings);
     }
     const ViewInputs view{scene.mesh, scene.camera, settings};
-    if (seen != view)
-        see(view);
+    if (seen != view) {
+        if (auto done = see(view); !done)
+            return done;
+    }
     const ShadingInputs inputs = shadingInputsOf(scene);
     if (shaded != inputs) {
         if (auto done = shade(inputs); !done)
@@ -226,7 +232,7 @@ ViewSamples GlRenderer::readSamples()
 {
     CHECK_EQ(state_->seen.has_value(), true);
     const ViewInputs& view = *state_->seen;
-    return state_->reader.readSamples(state_->visibility.samples(), view.settings, view.camera.eye);
+    return state_->reader.readSamples(state_->visibility, view.settings, view.camera.eye);
 }
 
 void GlRenderer::finish()

@@ -1,4 +1,5 @@
-// A mesh on the GPU: position and normal of each vertex as floats, and the triangles' indices.
+// A mesh on the GPU, once, for two readers: the rasteriser (attributes and indices) and shaders that look up a triangle's
+// corners by number (buffer textures).
 #pragma once
 
 #include "core/geometry/mesh.h"
@@ -10,13 +11,21 @@ class MeshBuffers {
 public:
     explicit MeshBuffers(const Gl& gl);
 
-    void upload(const Mesh& mesh);
+    /// Refuses a mesh that is larger than this driver's buffer textures.
+    [[nodiscard]] Result<void> upload(const Mesh& mesh);
     void draw() const;
+
+    /// Two RGBA32F texels per vertex: position, normal.
+    void bindVertices(int unit) const;
+    /// Three R32UI texels per triangle: the vertex numbers.
+    void bindCorners(int unit) const;
 
 private:
     GlVertexArray layout_;
     GlBuffer vertices_;
     GlBuffer indices_;
+    GlTexture vertexTexels_;
+    GlTexture cornerTexels_;
     GLsizei indexCount_ = 0;
 };
 

@@ -1,6 +1,26 @@
 #include "core/render/gl/render_target.h"
 
 namespace reflectance {
+namespace {
+
+/// The layout that glTexImage2D wants to hear for a format, though it is given no data.
+struct Transfer {
+    GLenum format, type;
+};
+
+Transfer transferOf(GLenum format)
+{
+    switch (format) {
+    case GL_R32UI:
+        return {GL_RED_INTEGER, GL_UNSIGNED_INT};
+    case GL_RGBA8:
+        return {GL_RGBA, GL_UNSIGNED_BYTE};
+    default:
+        return {GL_RGBA, GL_FLOAT};
+    }
+}
+
+} // namespace
 
 RenderTarget::RenderTarget(const Gl& gl, std::vector<GLenum> formats, WithDepth depth)
     : framebuffer_(gl), formats_(std::move(formats))
@@ -29,9 +49,10 @@ void RenderTarget::resize(int width, int height)
 {
     const Gl& gl = framebuffer_.gl();
     for (std::size_t i = 0; i < formats_.size(); ++i) {
-        const GLenum type = formats_[i] == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT;
+        const Transfer transfer = transferOf(formats_[i]);
         gl.BindTexture(GL_TEXTURE_2D, textures_[i].id());
-        gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(formats_[i]), width, height, 0, GL_RGBA, type, nullptr);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(formats_[i]), width, height, 0, transfer.format,
+                      transfer.type, nullptr);
     }
     for (const GlRenderbuffer& buffer : depth_) {
         gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());

@@ -9,7 +9,7 @@ const float* texel(const std::vector<float>& rows, int width, int x, int y)
     return &rows[4 * Image::pixelCount(width, y) + 4 * static_cast<std::size_t>(x)];
 }
 
-void append(ViewSamples& samples, const float* normal, const float* position)
+void append(ViewSamples& samples, const float* normal, const float* position, std::uint32_t triangle)
 {
     samples.Nx.push_back(normal[0]);
     samples.Ny.push_back(normal[1]);
@@ -17,8 +17,7 @@ void append(ViewSamples& samples, const float* normal, const float* position)
     samples.Px.push_back(position[0]);
     samples.Py.push_back(position[1]);
     samples.Pz.push_back(position[2]);
-    samples.triangle.push_back(static_cast<std::uint32_t>(normal[3] - 1.0F) +
-                               65536U * static_cast<std::uint32_t>(position[3]));
+    samples.triangle.push_back(triangle);
 }
 
 } // namespace
@@ -30,6 +29,14 @@ void SampleReader::readRows(const RenderTarget& target, int texture, int firstRo
         into.resize(floats);
     target.bindForReading(texture);
     gl_->ReadPixels(0, firstRow, target.width(), rows, GL_RGBA, GL_FLOAT, into.data());
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+}
+
+void SampleReader::readTriangles(const RenderTarget& target, int firstRow, int rows)
+{
+    triangles_.resize(Image::pixelCount(target.width(), rows));
+    target.bindForReading(0);
+    gl_->ReadPixels(0, firstRow, target.width(), rows, GL_RED_INTEGER, GL_UNSIGNED_INT, triangles_.data());
     gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
 }
 
@@ -50,24 +57,24 @@ Image SampleReader::readImage(const RenderTarget& linear)
     return image;
 }
 
-ViewSamples SampleReader::readSamples(const RenderTarget& target, const RenderSettings& settings, const Vec3d& eye)
+ViewSamples SampleReader::readSamples(const VisibilityPass& seen, const RenderSettings& settings, const Vec3d& eye)
 {
     ViewSamples samples;
     samples.settings = settings;
     samples.eye = eye;
     samples.firstOfPixel.reserve(Image::pixelCount(settings.width, settings.height) + 1);
     const int k = settings.samplesPerAxis;
+    const int across = seen.surface().width();
     for (int row = settings.height - 1; row >= 0; --row) { // one row of pixels at a time: k rows of samples
-        readRows(target, 0, row * k, k, first_);
-        readRows(target, 1, row * k, k, second_);
+        readTriangles(seen.triangles(), row * k, k);
+        readRows(seen.surface(), 0, row * k, k, first_);
+        readRows(seen.surface(), 1, row * k, k, second_);
         for (int x = 0; x < settings.width; ++x) {
             samples.firstOfPixel.push_back(static_cast<std::uint32_t>(samples.count()));
             for (int j = k - 1; j >= 0; --j)
-                for (int i = 0; i < k; ++i) {
-                    const float* normal = texel(first_, target.width(), x * k + i, j);
-                    if (normal[3] > 0.0F)
-                        append(samples, normal, texel(second_, target.width(), x * k + i, j));
-                }
+                for (int i = x * k; i < (x + 1) * k; ++i)
+                    if (const auto hit = triangles_[Image::pixelCount(across, j) + static_cast<std::size_t>(i)]; hit != 0)
+                        append(samples, texel(first_, across, i, j), texel(second_, across, i, j), hit - 1);
         }
     }
     samples.firstOfPixel.push_back(static_cast<std::uint32_t>(samples.count()));

@@ -1,8 +1,8 @@
-// Reads pictures and samples back. The float buffer is kept: fresh memory costs several times the copy itself.
+// Reads pictures and samples back. The buffers are kept: fresh memory costs several times the copy itself.
 #pragma once
 
 #include "core/image/image.h"
-#include "core/render/gl/render_target.h"
+#include "core/render/gl/visibility_pass.h"
 #include "core/render/view_samples.h"
 
 #include <vector>
@@ -17,15 +17,17 @@ public:
     [[nodiscard]] Image readImage(const RenderTarget& linear);
 
     /// The samples that met the object, ordered by pixel; within a pixel by rows from the top, as the CPU renderer does.
-    [[nodiscard]] ViewSamples readSamples(const RenderTarget& samples, const RenderSettings& settings, const Vec3d& eye);
+    [[nodiscard]] ViewSamples readSamples(const VisibilityPass& seen, const RenderSettings& settings, const Vec3d& eye);
 
 private:
     /// `rows` rows of RGBA from `firstRow` (0 is the bottom) of a texture.
     void readRows(const RenderTarget& target, int texture, int firstRow, int rows, std::vector<float>& into);
+    void readTriangles(const RenderTarget& target, int firstRow, int rows);
 
     const Gl* gl_;
     std::vector<float> first_;
     std::vector<float> second_;
+    std::vector<std::uint32_t> triangles_;
 };
 
 } // namespace reflectance

@@ -15,9 +15,9 @@ const char* typeOf(ParameterKind kind)
 }
 
 /// Takes a whole number off the front of `text`.
-std::optional<std::size_t> takeNumber(std::string_view& text)
+std::optional<long> takeNumber(std::string_view& text)
 {
-    std::size_t number = 0;
+    long number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc())
         return std::nullopt;
@@ -25,12 +25,11 @@ std::optional<std::size_t> takeNumber(std::string_view& text)
     return number;
 }
 
-/// "3:12(5): error: ..." or "3(12) : error ..."; nothing if the line has another form.
+/// "0:300012(5): error: ..." or "0(300012) : error ..."; nothing if the line has another form.
 std::optional<Error> placed(std::string_view line, const ShaderSource& source)
 {
     std::string_view rest = line;
-    const auto file = takeNumber(rest);
-    if (!file || *file >= source.files.size() || rest.empty() || (rest[0] != ':' && rest[0] != '('))
+    if (!takeNumber(rest) || rest.empty() || (rest[0] != ':' && rest[0] != '('))
         return std::nullopt;
     rest.remove_prefix(1);
     const auto number = takeNumber(rest);
@@ -38,8 +37,11 @@ std::optional<Error> placed(std::string_view line, const ShaderSource& source)
     if (!number || message == std::string_view::npos)
         return std::nullopt;
     rest.remove_prefix(message);
-    return Error{"the shader does not compile: " + std::string(trimmed(rest)), source.files[*file],
-                 static_cast<long>(*number)};
+    const auto file = static_cast<std::size_t>(*number / linesPerFile);
+    if (file == 0 || file > source.files.size())
+        return std::nullopt;
+    return Error{"the shader does not compile: " + std::string(trimmed(rest)), source.files[file - 1],
+                 *number % linesPerFile};
 }
 
 } // namespace
@@ -69,8 +71,9 @@ ShaderSource assembled(const std::vector<std::string>& defines, std::vector<Shad
     for (const std::string& name : defines)
         source.text += "#define " + name + "\n";
     for (ShaderPiece& piece : pieces) {
-        source.text += "#line 1 " + std::to_string(source.files.size()) + "\n" + piece.text + "\n";
         source.files.push_back(std::move(piece.file));
+        const long first = static_cast<long>(source.files.size()) * linesPerFile + 1;
+        source.text += "#line " + std::to_string(first) + "\n" + piece.text + "\n";
     }
     return source;
 }

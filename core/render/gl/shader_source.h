@@ -14,7 +14,8 @@ struct ShaderPiece {
     std::string text;
 };
 
-/// A text for the GLSL compiler. "#line L F" numbers the pieces: F is an index into `files`.
+/// A text for the GLSL compiler. Line L of files[F] is numbered (F + 1) * linesPerFile + L: the number of the source
+/// string, which GLSL has for this, is lost in Mesa's messages about anything but syntax.
 struct ShaderSource {
     std::string text;
     std::vector<std::string> files;
@@ -30,11 +31,13 @@ struct ShaderSource {
 /// The model's formula.
 [[nodiscard]] ShaderPiece modelCode(const ModelText& model);
 
+inline constexpr long linesPerFile = 100'000;
+
 /// #version 330 core, the names as #define, then the pieces.
 [[nodiscard]] ShaderSource assembled(const std::vector<std::string>& defines, std::vector<ShaderPiece> pieces);
 
-/// The first error in a compiler's log as message, file and line. Understands "FILE:LINE(COLUMN): error: ..." (Mesa,
-/// Intel) and "FILE(LINE) : error ..." (NVIDIA); a log in another form becomes the message as it is.
+/// The first error in a compiler's log as message, file and line. Understands "0:LINE(COLUMN): error: ..." (Mesa, Intel)
+/// and "0(LINE) : error ..." (NVIDIA); a log in another form becomes the message as it is.
 [[nodiscard]] Error compilerError(std::string_view log, const ShaderSource& source);
 
 } // namespace reflectance

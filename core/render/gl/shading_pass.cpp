@@ -2,6 +2,7 @@
 
 #include "core/math/angle.h"
 #include "core/render/gl/model_uniforms.h"
+#include "core/render/gl/ray_uniforms.h"
 
 #include <cmath>
 
@@ -31,22 +32,13 @@ ShaderSource sourceFor(const Requirements& r, const ModelText& model)
     if (r.environment || r.environmentBackground) {
         pieces.push_back(shaderFile(r.environmentMap ? "illumination/map.glsl" : "illumination/studio.glsl"));
         pieces.push_back(shaderFile("gl/surroundings.glsl"));
+    } else {
+        pieces.push_back(shaderFile("gl/no_surroundings.glsl"));
     }
+    pieces.push_back(shaderFile("gl/rays.glsl"));
     pieces.push_back(shaderFile("gl/arrival.glsl"));
     pieces.push_back(shaderFile("gl/shading.frag"));
     return assembled(definesFor(r), std::move(pieces));
-}
-
-/// The ray through a sample is linear in its place: a corner and a step along each axis, from the lower left.
-void setRays(const GlProgram& program, const Camera& camera, const RenderSettings& settings)
-{
-    const CameraFrame frame = frameOf(camera);
-    const double pixel = 2.0 * std::tan(0.5 * radians(camera.fieldOfView)) / settings.height;
-    const Vec3d corner = -0.5 * pixel * (settings.width * frame.right + settings.height * frame.up) - frame.back;
-    const double step = pixel / settings.samplesPerAxis;
-    program.set("cornerRay", corner);
-    program.set("rayStepX", step * frame.right);
-    program.set("rayStepY", step * frame.up);
 }
 
 } // namespace

@@ -1,46 +1,78 @@
 #include "core/render/gl/visibility_pass.h"
 
-#include <glm/mat4x4.hpp>
+#include "core/render/gl/ray_uniforms.h"
+
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x4.hpp>
 
 namespace reflectance {
 
-VisibilityPass::VisibilityPass(const Gl& gl, GlProgram program)
-    : gl_(&gl), program_(std::move(program)), samples_(gl, {GL_RGBA32F, GL_RGBA32F}, WithDepth::Yes)
+VisibilityPass::VisibilityPass(const Gl& gl, GlProgram rasterising, GlProgram locating)
+    : gl_(&gl), rasterising_(std::move(rasterising)), locating_(std::move(locating)),
+      triangles_(gl, {GL_R32UI}, WithDepth::Yes), surface_(gl, {GL_RGBA32F, GL_RGBA32F}, WithDepth::No), noVertices_(gl)
 {
 }
 
 Result<VisibilityPass> VisibilityPass::create(const Gl& gl)
 {
-    auto program = GlProgram::link(gl, assembled({}, {shaderFile("gl/visibility.vert")}),
-                                   assembled({}, {shaderFile("gl/visibility.frag")}));
-    if (!program)
-        return program.error();
-    return VisibilityPass(gl, *std::move(program));
+    auto rasterising = GlProgram::link(gl, assembled({}, {shaderFile("gl/visibility.vert")}),
+                                       assembled({}, {shaderFile("gl/visibility.frag")}));
+    if (!rasterising)
+        return rasterising.error();
+    auto locating = GlProgram::link(gl, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+                                    assembled({}, {shaderFile("gl/rays.glsl"), shaderFile("gl/surface.frag")}));
+    if (!locating)
+        return locating.error();
+    return VisibilityPass(gl, *std::move(rasterising), *std::move(locating));
 }
 
 void VisibilityPass::resize(const RenderSettings& settings)
 {
-    samples_.resize(settings.width * settings.samplesPerAxis, settings.height * settings.samplesPerAxis);
+    const int width = settings.width * settings.samplesPerAxis;
+    const int height = settings.height * settings.samplesPerAxis;
+    triangles_.resize(width, height);
+    surface_.resize(width, height);
 }
 
-void VisibilityPass::draw(const MeshBuffers& mesh, const Camera& camera) const
+void VisibilityPass::draw(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings) const
 {
-    const double aspect = static_cast<double>(samples_.width()) / samples_.height();
+    rasterise(mesh, camera);
+    locate(mesh, camera, settings);
+}
+
+void VisibilityPass::rasterise(const MeshBuffers& mesh, const Camera& camera) const
+{
+    const double aspect = static_cast<double>(triangles_.width()) / triangles_.height();
     const glm::mat4 clipFromWorld(clipFromView(camera, aspect) * viewFromWorld(camera));
-    constexpr float nothing[] = {0.0F, 0.0F, 0.0F, 0.0F};
+    constexpr GLuint nothing[] = {0, 0, 0, 0};
     constexpr float farthest = 1.0F;
-    samples_.bind();
+    triangles_.bind();
     gl_->DepthMask(GL_TRUE);
-    gl_->ClearBufferfv(GL_COLOR, 0, nothing);
-    gl_->ClearBufferfv(GL_COLOR, 1, nothing);
+    gl_->ClearBufferuiv(GL_COLOR, 0, nothing);
     gl_->ClearBufferfv(GL_DEPTH, 0, &farthest);
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthFunc(GL_LESS);
-    program_.use();
-    program_.setColumns("clipFromWorld", glm::value_ptr(clipFromWorld));
+    rasterising_.use();
+    rasterising_.setColumns("clipFromWorld", glm::value_ptr(clipFromWorld));
     mesh.draw();
     gl_->Disable(GL_DEPTH_TEST);
+}
+
+void VisibilityPass::locate(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings) const
+{
+    enum Unit { Triangles, Corners, Vertices };
+    locating_.use();
+    triangles_.bindAsInput(0, Unit::Triangles);
+    mesh.bindCorners(Unit::Corners);
+    mesh.bindVertices(Unit::Vertices);
+    locating_.set("triangles", Unit::Triangles);
+    locating_.set("corners", Unit::Corners);
+    locating_.set("vertices", Unit::Vertices);
+    locating_.set("eye", camera.eye);
+    setRays(locating_, camera, settings);
+    surface_.bind();
+    gl_->BindVertexArray(noVertices_.id());
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 } // namespace reflectance

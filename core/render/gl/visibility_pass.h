@@ -1,4 +1,5 @@
-// The first pass: what each sample of the view sees, kept for as many shadings as wanted.
+// The first pass: what each sample of the view sees, kept for as many shadings as wanted. The rasteriser says which
+// triangle; the point on it and its normal are computed from the triangle itself.
 #pragma once
 
 #include "core/geometry/camera.h"
@@ -14,17 +15,25 @@ public:
     [[nodiscard]] static Result<VisibilityPass> create(const Gl& gl);
 
     void resize(const RenderSettings& settings);
-    void draw(const MeshBuffers& mesh, const Camera& camera) const;
+    void draw(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings) const;
 
-    /// Texture 0: N and hit flag; texture 1: P and tag. See shaders/gl/visibility.frag.
-    [[nodiscard]] const RenderTarget& samples() const { return samples_; }
+    /// R32UI: 1 + the triangle's number, 0 where nothing was hit.
+    [[nodiscard]] const RenderTarget& triangles() const { return triangles_; }
+    /// Texture 0: N and hit flag; texture 1: P. See shaders/gl/surface.frag.
+    [[nodiscard]] const RenderTarget& surface() const { return surface_; }
 
 private:
-    VisibilityPass(const Gl& gl, GlProgram program);
+    VisibilityPass(const Gl& gl, GlProgram rasterising, GlProgram locating);
+
+    void rasterise(const MeshBuffers& mesh, const Camera& camera) const;
+    void locate(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings) const;
 
     const Gl* gl_;
-    GlProgram program_;
-    RenderTarget samples_;
+    GlProgram rasterising_;
+    GlProgram locating_;
+    RenderTarget triangles_;
+    RenderTarget surface_;
+    GlVertexArray noVertices_;
 };
 
 } // namespace reflectance

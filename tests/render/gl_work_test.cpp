@@ -1,0 +1,118 @@
+// Only the passes whose inputs changed run again: the renderer counts its own work.
+#include "tests/render/gl_fixture.h"
+#include "tests/render/gl_scenes.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+namespace reflectance::test {
+namespace {
+
+constexpr RenderSettings small{64, 48, 2};
+
+/// Uploads, visibilities, shadings, developments, links, allocations.
+using Figures = std::array<std::uint64_t, 6>;
+
+Figures figures(const GlWork& w)
+{
+    return {w.meshUploads, w.visibilities, w.shadings, w.developments, w.programLinks, w.allocations};
+}
+
+struct Change {
+    const char* name;
+    std::function<void(Scene&)> make;
+    Figures work; ///< expected on top of the first picture's
+};
+
+class GlWorkCounts : public GlTest {
+protected:
+    /// The work that this change causes after a first picture.
+    Figures workOf(const Change& change, RenderSettings settings = small)
+    {
+        Scene scene = twoLightScene("hybrid");
+        render(scene, small);
+        const Figures before = figures(renderer().work());
+        change.make(scene);
+        render(scene, settings);
+        Figures caused = figures(renderer().work());
+        std::transform(caused.begin(), caused.end(), before.begin(), caused.begin(), std::minus());
+        return caused;
+    }
+};
+
+/// Four programs: two for visibility, one for the sensor, one for what the scene requires.
+TEST_P(GlWorkCounts, AFirstPictureDoesEverythingOnce)
+{
+    render(twoLightScene("hybrid"), small);
+    EXPECT_EQ(figures(renderer().work()), (Figures{1, 1, 1, 1, 4, 1}));
+}
+
+TEST_P(GlWorkCounts, EachChangeCausesItsOwnWorkAlone)
+{
+    const Figures shadingOnly{0, 0, 1, 1, 0, 0};
+    const Figures nothing{};
+    const std::vector<Change> changes{
+        {"nothing", [](Scene&) {}, nothing},
+        {"a slider", [](Scene& s) { s.surface.values["n"] = {77.0}; }, shadingOnly},
+        {"a value that this model does not have", [](Scene& s) { s.surface.values["kd"] = {0.3}; }, nothing},
+        {"a light's direction", [](Scene& s) { s.lights[0].direction.x = 0.9; }, shadingOnly},
+        {"a light's name", [](Scene& s) { s.lights[0].name = "renamed"; }, nothing},
+        {"a further light of a known kind", [](Scene& s) { s.lights.push_back(s.lights[0]); }, shadingOnly},
+        {"the plain background", [](Scene& s) { s.background.color.x = 0.5; }, shadingOnly},
+        {"surroundings that nobody sees", [](Scene& s) { s.environment.kind = EnvironmentKind::Studio; }, nothing},
+        {"the exposure", [](Scene& s) { s.sensor.exposure = 1.0; }, {0, 0, 0, 1, 0, 0}},
+        {"the camera", [](Scene& s) { s.camera = orbited(s.camera, 0.1, 0.0); }, {0, 1, 1, 1, 0, 0}},
+        {"the mesh", [](Scene& s) { s.mesh = square(); }, {1, 1, 1, 1, 0, 0}},
+        {"the model", [](Scene& s) { s.surface.model = "phong"; }, {0, 0, 1, 1, 1, 0}},
+        {"no point light left", [](Scene& s) { s.lights.pop_back(); }, {0, 0, 1, 1, 1, 0}},
+    };
+    for (const Change& change : changes) {
+        startAnew();
+        EXPECT_EQ(workOf(change), change.work) << change.name;
+    }
+}
+
+TEST_P(GlWorkCounts, AnotherSizeAllocatesAndSeesAnew)
+{
+    const Change none{"nothing", [](Scene&) {}, {}};
+    EXPECT_EQ(workOf(none, {80, 48, 2}), (Figures{0, 1, 1, 1, 0, 1}));
+    startAnew();
+    EXPECT_EQ(workOf(none, {64, 48, 1}), (Figures{0, 1, 1, 1, 0, 1}));
+}
+
+TEST_P(GlWorkCounts, AProgramOnceLinkedIsKept)
+{
+    Scene scene = twoLightScene("hybrid");
+    for (const char* model : {"hybrid", "phong", "lambert", "hybrid", "phong", "lambert"}) {
+        scene.surface.model = model;
+        render(scene, small);
+    }
+    EXPECT_EQ(renderer().work().programLinks, 3U + 3U);
+    EXPECT_EQ(renderer().work().shadings, 6U);
+}
+
+TEST_P(GlWorkCounts, ADragOfASliderOnlyShades)
+{
+    Scene scene = twoLightScene("hybrid");
+    render(scene, small);
+    for (int step = 1; step <= 50; ++step) {
+        scene.surface.values["ks"] = {0.01 * step};
+        render(scene, small);
+    }
+    EXPECT_EQ(figures(renderer().work()), (Figures{1, 1, 51, 51, 4, 1}));
+}
+
+TEST_P(GlWorkCounts, ShadesAgainWhenAsked)
+{
+    const Scene scene = twoLightScene("hybrid");
+    render(scene, small);
+    renderer().invalidateShading();
+    render(scene, small);
+    EXPECT_EQ(figures(renderer().work()), (Figures{1, 1, 2, 2, 4, 1}));
+}
+
+IN_EVERY_CONTEXT(GlWorkCounts);
+
+} // namespace
+} // namespace reflectance::test
