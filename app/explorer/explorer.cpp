@@ -122,7 +122,7 @@ void drawOnce(Session& session)
 
 Reasons reasonsOf(const Session& session)
 {
-    const auto untilRefined = session.viewport.cameraMoved + restBeforeRefining - Clock::now();
+    const auto untilRefined = session.viewport.cameraMoved + restBeforeRefining(session.viewport) - Clock::now();
     const bool refine = session.viewport.refinementOwed && !session.viewport.dragging();
     return {
         .animating = session.state.turntable || session.windowPicture.has_value(),

@@ -10,19 +10,34 @@ namespace {
 constexpr double nearestLight = 0.05, farthestLight = 100.0;
 constexpr double brightest = 1e6;
 
-/// Radius of the sphere about the origin on which a light's handle moves.
-double sphereOf(const Light& light)
+constexpr double largestSphere = 1.25;
+/// Of the picture's half height or width: what is left is for the handle's disc.
+constexpr double shareOfPicture = 0.92;
+
+/// Tangent of half the vertical field of view.
+double halfHeight(const Camera& camera)
 {
-    return light.kind == LightKind::Directional ? handleRadius : std::max(length(light.position), nearestLight);
+    return std::tan(camera.fieldOfView * std::numbers::pi / 360.0);
 }
 
-/// The light with its handle in a unit direction; its distance stays.
+Vec3d directionOf(const Light& light)
+{
+    return normalized(light.kind == LightKind::Directional ? light.direction : light.position);
+}
+
+/// A point light keeps its distance, a handle at the centre a little of one.
+double distanceOf(const Light& light)
+{
+    return std::max(length(light.position), nearestLight);
+}
+
+/// The light in a unit direction.
 Light turnedTo(Light light, const Vec3d& direction)
 {
     if (light.kind == LightKind::Directional)
         light.direction = direction;
     else
-        light.position = sphereOf(light) * direction;
+        light.position = distanceOf(light) * direction;
     return light;
 }
 
@@ -40,7 +55,7 @@ Vec3d tilted(const Vec3d& axis, const Vec3d& ray, double angle)
     return std::cos(angle) * axis + std::sin(angle) * side;
 }
 
-/// Where a unit ray from `eye` meets the sphere about the origin; a ray that misses touches it.
+/// Where a unit ray from `eye` meets a sphere about the origin; a ray that misses touches it.
 Vec3d pointOnSphere(const Vec3d& eye, const Vec3d& ray, double radius, bool farHalf)
 {
     const double along = -dot(eye, ray);
@@ -51,17 +66,30 @@ Vec3d pointOnSphere(const Vec3d& eye, const Vec3d& ray, double radius, bool farH
 
 } // namespace
 
-Vec3d handlePoint(const Light& light)
+HandleSphere handleSphere(const Light& light, const Camera& camera, ViewSize size)
 {
-    return light.kind == LightKind::Directional ? handleRadius * normalized(light.direction) : light.position;
+    if (light.kind == LightKind::Point)
+        return {{}, distanceOf(light)};
+    const double aspect = static_cast<double>(size.width) / size.height;
+    const double tangent = shareOfPicture * halfHeight(camera) * std::min(1.0, aspect);
+    const double fits = length(camera.eye - camera.target) * std::sin(std::atan(tangent));
+    return {camera.target, std::min(largestSphere, fits)};
+}
+
+Vec3d handlePoint(const Light& light, const Camera& camera, ViewSize size)
+{
+    if (light.kind == LightKind::Point)
+        return light.position;
+    const HandleSphere sphere = handleSphere(light, camera, size);
+    return sphere.centre + sphere.radius * directionOf(light);
 }
 
 HandleView viewOf(const Light& light, const Camera& camera, ViewSize size)
 {
-    const Vec3d point = handlePoint(light);
+    const Vec3d point = handlePoint(light, camera, size);
     const Vec3d image = projected(camera, point, size.width, size.height);
     // The far half of a sphere is where its normal turns away from the eye.
-    return {image.x, image.y, image.z > 0.0, dot(point, camera.eye - point) < 0.0};
+    return {image.x, image.y, image.z > 0.0, dot(directionOf(light), camera.eye - point) < 0.0};
 }
 
 int handleAt(std::span<const Light> lights, const Camera& camera, ViewSize size, Cursor cursor, double reach)
@@ -84,33 +112,34 @@ int handleAt(std::span<const Light> lights, const Camera& camera, ViewSize size,
 
 Light heldAt(const Light& light, bool farHalf, const Camera& camera, ViewSize size, Cursor cursor)
 {
-    const double radius = sphereOf(light);
-    const double distance = length(camera.eye);
+    const HandleSphere sphere = handleSphere(light, camera, size);
+    const Vec3d eye = camera.eye - sphere.centre;
+    const double distance = length(eye);
     Vec3d ray = rayThrough(camera, cursor.x, cursor.y, size.width, size.height);
-    if (distance <= radius) // the eye is inside: only the far half is in front of it
-        return turnedTo(light, normalized(pointOnSphere(camera.eye, ray, radius, true)));
+    if (distance <= sphere.radius) // the eye is inside: only the far half is in front of it
+        return turnedTo(light, normalized(pointOnSphere(eye, ray, sphere.radius, true)));
 
-    const Vec3d centre = -(camera.eye / distance);
-    const double silhouette = std::asin(radius / distance);
-    const double angle = std::atan2(length(cross(centre, ray)), dot(centre, ray));
+    const Vec3d inward = -(eye / distance);
+    const double silhouette = std::asin(sphere.radius / distance);
+    const double angle = std::atan2(length(cross(inward, ray)), dot(inward, ray));
     if (angle > silhouette) {
-        ray = tilted(centre, ray, std::max(0.0, 2.0 * silhouette - angle));
+        ray = tilted(inward, ray, std::max(0.0, 2.0 * silhouette - angle));
         farHalf = !farHalf;
     }
-    return turnedTo(light, normalized(pointOnSphere(camera.eye, ray, radius, farHalf)));
+    return turnedTo(light, normalized(pointOnSphere(eye, ray, sphere.radius, farHalf)));
 }
 
 Light rolled(const Light& light, const Camera& camera, ViewSize size, double dx, double dy)
 {
-    const double tangent = std::tan(camera.fieldOfView * std::numbers::pi / 360.0);
-    const double distance = std::max(length(camera.eye), handleRadius);
-    const double pixelsPerRadian = 0.5 * size.height * handleRadius / (tangent * distance);
+    const double radius = handleSphere(Light(), camera, size).radius;
+    const double distance = length(camera.eye - camera.target);
+    const double pixelsPerRadian = 0.5 * size.height * radius / (halfHeight(camera) * distance);
     const double angle = std::hypot(dx, dy) / pixelsPerRadian;
     if (!(angle > 0.0))
         return light;
     const CameraFrame frame = frameOf(camera);
     const Vec3d axis = normalized(dx * frame.up + dy * frame.right);
-    const Vec3d direction = normalized(handlePoint(light));
+    const Vec3d direction = directionOf(light);
     return turnedTo(light, normalized(turned(direction == Vec3d() ? frame.back : direction, axis, angle)));
 }
 
@@ -119,9 +148,8 @@ Light reached(const Light& light, double dy)
     const double factor = std::exp2(-dy / 100.0);
     Light result = light;
     if (light.kind == LightKind::Point) {
-        const double distance = std::max(length(light.position), nearestLight);
-        const Vec3d direction = normalized(light.position);
-        result.position = std::clamp(distance / factor, nearestLight, farthestLight) *
+        const Vec3d direction = directionOf(light);
+        result.position = std::clamp(distanceOf(light) / factor, nearestLight, farthestLight) *
                           (direction == Vec3d() ? Vec3d(0.0, 1.0, 0.0) : direction);
     } else {
         const double largest = std::max({light.intensity.x, light.intensity.y, light.intensity.z});

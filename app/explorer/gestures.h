@@ -22,11 +22,17 @@ struct Cursor {
     double y = 0.0;
 };
 
-/// Directional lights are held at this distance from the object's centre; its bounding sphere has radius 1.
-inline constexpr double handleRadius = 1.25;
+/// The sphere on which a light's handle moves. A directional light has no place, only a direction, so its sphere may lie
+/// where the hand can reach it: about the camera's target, of radius 1.25 (the object's own is 1) or as large as fits into
+/// the picture. A point light's sphere lies about the object's centre, through the light.
+struct HandleSphere {
+    Vec3d centre;
+    double radius = 1.25;
+};
+[[nodiscard]] HandleSphere handleSphere(const Light& light, const Camera& camera, ViewSize size);
 
-/// Where a light is held: on the sphere of directions, or where the point light stands.
-[[nodiscard]] Vec3d handlePoint(const Light& light);
+/// Where a light is held.
+[[nodiscard]] Vec3d handlePoint(const Light& light, const Camera& camera, ViewSize size);
 
 /// How a handle lies in the picture.
 struct HandleView {
@@ -40,8 +46,7 @@ struct HandleView {
 /// -1 where there is none.
 [[nodiscard]] int handleAt(std::span<const Light> lights, const Camera& camera, ViewSize size, Cursor cursor, double reach);
 
-/// The light with its handle moved under the cursor, on the sphere about the origin that the handle lies on. Beyond
-/// the sphere's silhouette it rolls over the edge to the other half, as far inside as the cursor is outside, so the
+/// The light with its handle moved under the cursor, on the sphere that the handle lies on. Beyond the sphere's silhouette it rolls over the edge to the other half, as far inside as the cursor is outside, so the
 /// way out and the way back are the same. `farHalf` says which half the handle was taken from.
 [[nodiscard]] Light heldAt(const Light& light, bool farHalf, const Camera& camera, ViewSize size, Cursor cursor);
 

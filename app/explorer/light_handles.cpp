@@ -48,7 +48,7 @@ void drawGlow(ImDrawList& canvas, const Style& style)
     }
 }
 
-/// From the handle towards the object's centre, fading out on the way.
+/// From the handle towards its sphere's centre, fading out on the way.
 void drawRay(ImDrawList& canvas, const Style& style, ImVec2 towards)
 {
     constexpr int pieces = 24;
@@ -99,7 +99,7 @@ std::vector<Drawn> drawingOrder(const std::vector<Light>& lights, const PictureV
 {
     std::vector<Drawn> order;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        const double depth = projected(camera, handlePoint(lights[i]), view.size.width, view.size.height).z;
+        const double depth = projected(camera, handlePoint(lights[i], camera, view.size), view.size.width, view.size.height).z;
         if (depth > 0.0)
             order.push_back({i, depth});
     }
@@ -122,7 +122,6 @@ double handleReach(const PictureView& view)
 void drawLightHandles(ImDrawList& canvas, const ExplorerState& state, const PictureView& view, int hovered, int held)
 {
     const Camera& camera = state.scene.camera;
-    const Vec3d origin = projected(camera, {}, view.size.width, view.size.height);
     const std::vector<Light> lights = shownScene(state).lights;
     for (const Drawn& drawn : drawingOrder(lights, view, camera)) {
         const Light& light = lights[drawn.index];
@@ -133,8 +132,9 @@ void drawLightHandles(ImDrawList& canvas, const ExplorerState& state, const Pict
         const Style style{onScreen(view, handle.x, handle.y), hueOf(light), strength, view.scale};
         if (light.on)
             drawGlow(canvas, style);
-        if (light.on && origin.z > 0.0)
-            drawRay(canvas, style, onScreen(view, origin.x, origin.y));
+        const Vec3d centre = projected(camera, handleSphere(light, camera, view.size).centre, view.size.width, view.size.height);
+        if (light.on && centre.z > 0.0)
+            drawRay(canvas, style, onScreen(view, centre.x, centre.y));
         drawDisc(canvas, style, light.on, marked, index == state.selectedLight);
         drawNumber(canvas, style, drawn.index, light.on);
     }
@@ -143,7 +143,7 @@ void drawLightHandles(ImDrawList& canvas, const ExplorerState& state, const Pict
 void showLightTooltip(const ExplorerState& state, int index)
 {
     const Light& light = state.scene.lights[static_cast<std::size_t>(index)];
-    const LightAngles angles = anglesOf(handlePoint(light));
+    const LightAngles angles = anglesOf(light.kind == LightKind::Directional ? light.direction : light.position);
     ImGui::BeginTooltip();
     ImGui::Text("%d  %s%s", index + 1, light.name.c_str(), light.on ? "" : " (off)");
     ImGui::Text("azimuth %.1f°  elevation %.1f°", angles.azimuth, angles.elevation);

@@ -1,5 +1,6 @@
 #include "app/explorer/prices.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace reflectance::explorer {
@@ -44,7 +45,8 @@ double secondsUntilPrices(const Session& session)
     if (!owed(session))
         return std::numeric_limits<double>::infinity();
     const auto rested = Clock::now() - session.lastChange;
-    return std::chrono::duration<double>(restBeforeMeasuring - rested).count();
+    const Clock::duration rest = std::max<Clock::duration>(restBeforeMeasuring, restBeforeRefining(session.viewport));
+    return std::chrono::duration<double>(rest - rested).count();
 }
 
 void pollPrices(Session& session)

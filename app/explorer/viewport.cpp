@@ -83,7 +83,7 @@ RenderSettings settingsFor(const ExplorerState& state, Viewport& viewport)
         viewport.shownCamera = state.scene.camera;
         viewport.cameraMoved = now;
     }
-    const bool moving = state.turntable || viewport.stroke.movesCamera() || now - viewport.cameraMoved < restBeforeRefining;
+    const bool moving = state.turntable || viewport.stroke.movesCamera() || now - viewport.cameraMoved < restBeforeRefining(viewport);
     const bool shading = viewport.stroke.movesLight() || ImGui::IsAnyItemActive();
     const bool coarse = moving || (shading && viewport.fullMilliseconds > smoothMilliseconds);
     viewport.refinementOwed = coarse && state.preferences.samplesPerAxis > 1;
@@ -142,6 +142,12 @@ void setCursorShape(const Viewport& viewport)
 }
 
 } // namespace
+
+Clock::duration restBeforeRefining(const Viewport& viewport)
+{
+    const std::chrono::duration<double, std::milli> rest(std::clamp(2.0 * viewport.fullMilliseconds, 150.0, 2000.0));
+    return std::chrono::duration_cast<Clock::duration>(rest);
+}
 
 void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, const Area& area, float pixelsPerPoint,
                   float scale)

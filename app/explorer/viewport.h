@@ -27,8 +27,9 @@ struct Viewport {
     [[nodiscard]] bool dragging() const { return stroke.kind != Stroke::Kind::None; }
 };
 
-/// Pictures with one sample per pixel are shown while the camera moves, and this long after.
-inline constexpr std::chrono::milliseconds restBeforeRefining{150};
+/// One sample per pixel is shown while the camera moves, and this long after: the longer all samples take, the surer
+/// it must be that the hand rests, for it has to wait if it does not.
+[[nodiscard]] Clock::duration restBeforeRefining(const Viewport& viewport);
 
 /// Draws the picture, the handles and what the hand does, into an ImGui window over `area`.
 void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, const Area& area, float pixelsPerPoint,

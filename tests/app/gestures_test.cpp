@@ -12,7 +12,7 @@
 namespace reflectance::explorer {
 namespace {
 
-// A handle is computed on the cursor's own ray, so only rounding moves it: the sphere of radius 1.25 is some 400 px
+// A handle is computed on the cursor's own ray, so only rounding moves it: the sphere of directions is some 600 px
 // wide, where 1e-6 px is 1e7 times the rounding of a double; near the silhouette a square root halves the digits.
 constexpr double underTheCursor = 1e-6;
 
@@ -32,10 +32,10 @@ double missed(const Light& light, const Camera& camera, Cursor cursor)
     return std::hypot(view.x - cursor.x, view.y - cursor.y);
 }
 
-/// Radius in pixels of a silhouette about the middle of the picture, for a camera that looks at the origin.
-double silhouettePixels(const Camera& camera, double radius)
+/// Radius in pixels of a handle's sphere about the middle of the picture, for a camera that looks at the origin.
+double silhouettePixels(const Camera& camera, const Light& light = Light())
 {
-    const double angle = std::asin(radius / length(camera.eye));
+    const double angle = std::asin(handleSphere(light, camera, size).radius / length(camera.eye));
     return 0.5 * size.height * std::tan(angle) / std::tan(camera.fieldOfView * std::numbers::pi / 360.0);
 }
 
@@ -50,14 +50,14 @@ TEST(Handles, FollowTheCursorOnBothHalves)
     std::mt19937 random(7);
     std::uniform_real_distribution<double> share(0.0, 0.999), turn(0.0, 2.0 * std::numbers::pi);
     for (const Light& light : {Light(), pointLight({0.9, 0.7, -0.4})}) {
-        const double radius = light.kind == LightKind::Point ? length(light.position) : handleRadius;
+        const double radius = handleSphere(light, camera, size).radius;
         for (int i = 0; i < 500; ++i) {
-            const Cursor cursor = fromMiddle(share(random) * silhouettePixels(camera, radius), turn(random));
+            const Cursor cursor = fromMiddle(share(random) * silhouettePixels(camera, light), turn(random));
             for (const bool farHalf : {false, true}) {
                 const Light held = heldAt(light, farHalf, camera, size, cursor);
                 EXPECT_LT(missed(held, camera, cursor), underTheCursor);
                 EXPECT_EQ(viewOf(held, camera, size).behind, farHalf);
-                EXPECT_NEAR(length(handlePoint(held)), radius, 4e-16 * 4.0); // a few roundings of a length near 1
+                EXPECT_NEAR(length(handlePoint(held, camera, size)), radius, 2e-15); // a few roundings of a length near 1
             }
         }
     }
@@ -67,21 +67,38 @@ TEST(Handles, FollowTheCursorWhenTheViewIsPannedAndTilted)
 {
     Camera camera = orbited(panned(Camera(), 0.21, -0.13), 1.1, 0.6);
     camera.fieldOfView = 60.0;
-    const HandleView middle = viewOf(pointLight({}), camera, size);
-    const Cursor cursor{middle.x + 40.0, middle.y - 25.0};
+    const Cursor cursor = fromMiddle(47.0, -0.6); // the sphere of directions keeps to the picture's middle
     EXPECT_LT(missed(heldAt(Light(), false, camera, size, cursor), camera, cursor), underTheCursor);
     EXPECT_LT(missed(heldAt(Light(), true, camera, size, cursor), camera, cursor), underTheCursor);
+}
+
+TEST(Handles, OfDirectionalLightsNeverLeaveThePicture)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    for (const ViewSize view : {ViewSize{920, 724}, ViewSize{300, 900}, ViewSize{3000, 200}}) {
+        for (int i = 0; i < 300; ++i) {
+            Light light;
+            light.direction = {any(random), any(random), any(random)};
+            const Camera camera = zoomed(panned(orbited(Camera(), 3.0 * any(random), any(random)), any(random), any(random)),
+                                         std::exp(2.0 * any(random)));
+            const HandleView handle = viewOf(light, camera, view);
+            EXPECT_TRUE(handle.visible);
+            EXPECT_TRUE(handle.x > 0.0 && handle.x < view.width && handle.y > 0.0 && handle.y < view.height)
+                << handle.x << ", " << handle.y;
+        }
+    }
 }
 
 TEST(Handles, RollOverTheSilhouetteAndBack)
 {
     const Camera camera;
-    const double edge = silhouettePixels(camera, handleRadius);
+    const double edge = silhouettePixels(camera);
     const Light inside = heldAt(Light(), false, camera, size, fromMiddle(edge - 0.01, 0.4));
     const Light outside = heldAt(Light(), false, camera, size, fromMiddle(edge + 0.01, 0.4));
     EXPECT_FALSE(viewOf(inside, camera, size).behind);
     EXPECT_TRUE(viewOf(outside, camera, size).behind);
-    // 0.01 px off a silhouette of 400 px lies sqrt(2 * 0.01 / 400) = 0.007 rad on either side of the edge.
+    // 0.01 px off a silhouette of 300 px lies sqrt(2 * 0.01 / 300) = 0.008 rad on either side of the edge.
     EXPECT_LT(length(inside.direction - outside.direction), 0.03);
 
     const Light far = heldAt(Light(), false, camera, size, fromMiddle(edge + 60.0, 0.4));
@@ -94,16 +111,18 @@ TEST(Handles, RollOverTheSilhouetteAndBack)
 
 TEST(Handles, StayFiniteForAnyCursorAndFromInside)
 {
-    Camera inside;
+    Camera inside; // of a point light's sphere
     inside.eye = {0.3, 0.2, 0.5};
+    const Light light = pointLight({0.0, 2.0, 0.0});
     for (const Camera& camera : {Camera(), inside}) {
         for (const double x : {-1e6, -10.0, 0.0, 460.0, 1e4, 1e7}) {
-            const Light held = heldAt(Light(), false, camera, size, {x, 300.0});
-            EXPECT_NEAR(length(held.direction), 1.0, 1e-15); // two roundings of a unit vector
+            // Two roundings of a unit vector, and of one of length 2.
+            EXPECT_NEAR(length(heldAt(Light(), false, camera, size, {x, 300.0}).direction), 1.0, 1e-15);
+            EXPECT_NEAR(length(heldAt(light, false, camera, size, {x, 300.0}).position), 2.0, 2e-15);
         }
     }
     const Cursor cursor{500.0, 200.0};
-    EXPECT_LT(missed(heldAt(Light(), false, inside, size, cursor), inside, cursor), underTheCursor);
+    EXPECT_LT(missed(heldAt(light, false, inside, size, cursor), inside, cursor), underTheCursor);
 }
 
 TEST(Handles, AreFoundNearestFirstAndNearHalfFirst)
@@ -212,11 +231,11 @@ TEST(Strokes, AClickChangesNothingAndAReturnUndoes)
 
 TEST(Strokes, ThisSuiteCatchesAMisplacedHandle)
 {
-    // Planted fault: a light taken by the direction of the ray instead of the point on the sphere.
+    // Planted fault: a light taken by the direction of the ray across the view instead of the point on the sphere.
     const Camera camera;
     const Cursor cursor = fromMiddle(120.0, 2.0);
     Light wrong;
-    wrong.direction = -rayThrough(camera, cursor.x, cursor.y, size.width, size.height);
+    wrong.direction = normalized(rayThrough(camera, cursor.x, cursor.y, size.width, size.height) + frameOf(camera).back);
     EXPECT_GT(missed(wrong, camera, cursor), underTheCursor);
 }
 

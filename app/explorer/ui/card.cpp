@@ -21,9 +21,11 @@ void drawFoldArrow(ImDrawList& list, ImVec2 centre, bool open)
     const float r = points(4);
     const ImU32 color = ImGui::GetColorU32(palette::quiet);
     if (open)
-        list.AddTriangleFilled({centre.x - r, centre.y - r / 2}, {centre.x + r, centre.y - r / 2}, {centre.x, centre.y + r / 2}, color);
+        list.AddTriangleFilled({centre.x - r, centre.y - r / 2}, {centre.x + r, centre.y - r / 2},
+                               {centre.x, centre.y + r / 2}, color);
     else
-        list.AddTriangleFilled({centre.x - r / 2, centre.y - r}, {centre.x + r / 2, centre.y}, {centre.x - r / 2, centre.y + r}, color);
+        list.AddTriangleFilled({centre.x - r / 2, centre.y - r}, {centre.x + r / 2, centre.y},
+                               {centre.x - r / 2, centre.y + r}, color);
 }
 
 /// The heading is one wide button; returns whether the card is open.
@@ -46,7 +48,8 @@ bool drawHeading(const CardHeading& heading)
     drawBadge(list, {start.x + points(11), middle}, heading.number);
     const ImVec2 titleSize = sizeIn(Face::Strong, heading.title);
     const float titleLeft = start.x + points(32);
-    drawText(list, Face::Strong, {titleLeft, middle - titleSize.y / 2}, hovered ? palette::accent : palette::text, heading.title);
+    drawText(list, Face::Strong, {titleLeft, middle - titleSize.y / 2}, hovered ? palette::accent : palette::text,
+             heading.title);
     drawFoldArrow(list, {start.x + size.x - points(6), middle}, open);
 
     const float right = start.x + size.x - points(20);
@@ -64,8 +67,8 @@ void drawArrowToNext(ImVec2 top, float height)
     const ImU32 color = ImGui::GetColorU32(palette::quiet);
     const float tip = points(4);
     list.AddLine({top.x, top.y + points(1)}, {top.x, top.y + height - points(2)}, color, points(1.5F));
-    list.AddTriangleFilled({top.x - tip, top.y + height - points(1) - tip}, {top.x + tip, top.y + height - points(1) - tip},
-                           {top.x, top.y + height - points(1)}, color);
+    list.AddTriangleFilled({top.x - tip, top.y + height - points(1) - tip},
+                           {top.x + tip, top.y + height - points(1) - tip}, {top.x, top.y + height - points(1)}, color);
 }
 
 } // namespace

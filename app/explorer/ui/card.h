@@ -7,11 +7,11 @@
 namespace reflectance::explorer {
 
 struct CardHeading {
-    int number = 1;      ///< place in the chain of stages
+    int number = 1; ///< place in the chain of stages
     const char* title = "";
     std::string summary; ///< a few words that tell the state when folded
     const char* about = "";
-    bool last = false;   ///< no arrow to a next stage
+    bool last = false; ///< no arrow to a next stage
 };
 
 /// Draws the heading; while isOpen() the controls follow. The background is drawn when the card ends.

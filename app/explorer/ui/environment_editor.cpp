@@ -56,10 +56,13 @@ void drawFile(ExplorerState& state)
 {
     rowLabel("", "Picture");
     const std::string file = std::filesystem::path(state.scene.environment.file).filename().string();
-    const std::string label = elided(file.empty() ? "choose\u2026" : file, ImGui::GetContentRegionAvail().x - points(18)) + "##choose picture";
+    const std::string label =
+        elided(file.empty() ? "choose\u2026" : file, ImGui::GetContentRegionAvail().x - points(18)) +
+        "##choose picture";
     if (ImGui::Button(label.c_str(), {-1, 0}))
         openPicture(state);
-    tooltip(state.scene.environment.file + "\nChoose another latitude-longitude picture (.exr, .hdr); or drop one on the window.");
+    tooltip(state.scene.environment.file +
+            "\nChoose another latitude-longitude picture (.exr, .hdr); or drop one on the window.");
 }
 
 void drawRadiance(Environment& environment, std::optional<Message>& message)
@@ -67,8 +70,9 @@ void drawRadiance(Environment& environment, std::optional<Message>& message)
     NumberRow row;
     row.name = "environment radiance";
     row.label = environment.kind == EnvironmentKind::Constant ? "Radiance" : "Factor";
-    row.about = environment.kind == EnvironmentKind::Constant ? "Radiance from every direction; largest channel."
-                                                              : "The environment's radiance is multiplied by this; largest channel.";
+    row.about = environment.kind == EnvironmentKind::Constant
+                    ? "Radiance from every direction; largest channel."
+                    : "The environment's radiance is multiplied by this; largest channel.";
     row.sliderMin = 0.01;
     row.sliderMax = 100.0;
     row.logarithmic = true;
@@ -95,7 +99,8 @@ void drawRotation(Environment& environment, std::optional<Message>& message)
 
 void drawBackground(Background& background)
 {
-    constexpr std::array<Choice, 2> choices = {{ // in the order of BackgroundKind
+    constexpr std::array<Choice, 2> choices = {{
+        // in the order of BackgroundKind
         {"plain", "A dark neutral grey behind the object."},
         {"environment", "Show the environment behind the object."},
     }};
@@ -127,7 +132,8 @@ void drawEnvironmentEditor(ExplorerState& state)
     }
     drawBackground(scene.background);
     if (!looksAtIt)
-        remark(modelOf(scene).text.name + " is lit by the lights alone; only " + modelsThat(&ModelText::usesEnvironment) + " looks at the environment.");
+        remark(modelOf(scene).text.name + " is lit by the lights alone; only " +
+               modelsThat(&ModelText::usesEnvironment) + " looks at the environment.");
     ImGui::PopID();
 }
 

@@ -58,7 +58,8 @@ int onPathKey(ImGuiInputTextCallbackData* data)
     if (data->EventFlag == ImGuiInputTextFlags_CallbackHistory) {
         memory.selected += data->EventKey == ImGuiKey_UpArrow ? -1 : 1;
     } else if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion && memory.listing) {
-        const std::string text = completed({data->Buf, static_cast<std::size_t>(data->BufTextLen)}, memory.listing->entries);
+        const std::string text =
+            completed({data->Buf, static_cast<std::size_t>(data->BufTextLen)}, memory.listing->entries);
         data->DeleteChars(0, data->BufTextLen);
         data->InsertChars(0, text.c_str());
         memory.selected = 0;
@@ -77,8 +78,10 @@ bool drawPathLine(BrowserMemory& memory)
         ImGui::SetKeyboardFocusHere();
     memory.wantsFocus = false;
     ImGui::SetNextItemWidth(-1);
-    const bool entered = ImGui::InputTextWithHint("##path", "type to filter, or a path", &memory.typed, flags, onPathKey, &memory);
-    tooltip("Filters the list; a path with / leads to another folder, ~ is home. Tab completes, the arrow keys select, Enter opens.");
+    const bool entered =
+        ImGui::InputTextWithHint("##path", "type to filter, or a path", &memory.typed, flags, onPathKey, &memory);
+    tooltip("Filters the list; a path with / leads to another folder, ~ is home. Tab completes, the arrow keys select, "
+            "Enter opens.");
     return entered;
 }
 
@@ -203,7 +206,8 @@ void drawContents(ExplorerState& state)
     if (!listing.problem.empty())
         remark(listing.problem, palette::error, Face::Body);
     else if (shown.empty())
-        remark(listing.entries.empty() ? "No folder, mesh, scene or environment here." : "Nothing here matches.", palette::quiet, Face::Body);
+        remark(listing.entries.empty() ? "No folder, mesh, scene or environment here." : "Nothing here matches.",
+               palette::quiet, Face::Body);
     const int clicked = drawEntries(shown, memory.selected, memory.selected != selectedBefore);
     ImGui::EndChild();
     if (clicked >= 0)
@@ -225,8 +229,10 @@ void drawFileBrowser(ExplorerState& state)
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({std::min(points(760), display.x - points(24)), std::min(points(540), display.y - points(24))});
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+    ImGui::SetNextWindowSize(
+        {std::min(points(760), display.x - points(24)), std::min(points(540), display.y - points(24))});
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
     if (!ImGui::BeginPopupModal(title, &state.showFileBrowser, flags))
         return;
     drawContents(state);

@@ -14,8 +14,13 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> endings = {{
-    {".obj", "mesh"}, {".ply", "mesh"}, {".off", "mesh"}, {".stl", "mesh"},
-    {".json", "scene"}, {".exr", "environment"}, {".hdr", "environment"},
+    {".obj", "mesh"},
+    {".ply", "mesh"},
+    {".off", "mesh"},
+    {".stl", "mesh"},
+    {".json", "scene"},
+    {".exr", "environment"},
+    {".hdr", "environment"},
 }};
 
 FolderEntry entryOf(const fs::directory_entry& file)
@@ -55,7 +60,8 @@ fs::path homeFolder()
 std::string_view kindOfFile(std::string_view name)
 {
     const std::string lower = lowered(name);
-    const auto found = std::find_if(endings.begin(), endings.end(), [&](const auto& e) { return lower.ends_with(e.first); });
+    const auto found =
+        std::find_if(endings.begin(), endings.end(), [&](const auto& e) { return lower.ends_with(e.first); });
     return found == endings.end() ? std::string_view() : found->second;
 }
 
@@ -108,7 +114,9 @@ std::string completed(std::string_view typed, std::span<const FolderEntry> entri
         return std::string(typed);
     std::string common = candidates[0]->name;
     for (const FolderEntry* entry : candidates)
-        common.resize(static_cast<std::size_t>(std::mismatch(common.begin(), common.end(), entry->name.begin(), entry->name.end()).first - common.begin()));
+        common.resize(static_cast<std::size_t>(
+            std::mismatch(common.begin(), common.end(), entry->name.begin(), entry->name.end()).first -
+            common.begin()));
     const bool intoFolder = candidates.size() == 1 && candidates[0]->isFolder;
     return std::string(stem) + common + (intoFolder ? "/" : "");
 }
@@ -118,7 +126,9 @@ std::string readableSize(std::uintmax_t bytes)
     const auto size = static_cast<double>(bytes);
     if (bytes < 1000)
         return std::to_string(bytes) + " B";
-    return size < 1e6 ? general(size / 1e3, 3) + " kB" : size < 1e9 ? general(size / 1e6, 3) + " MB" : general(size / 1e9, 3) + " GB";
+    return size < 1e6   ? general(size / 1e3, 3) + " kB"
+           : size < 1e9 ? general(size / 1e6, 3) + " MB"
+                        : general(size / 1e9, 3) + " GB";
 }
 
 } // namespace reflectance::explorer

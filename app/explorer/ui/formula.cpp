@@ -9,11 +9,20 @@ namespace reflectance::explorer {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 10> greek = {{
-    {"alpha", "\u03B1"}, {"beta", "\u03B2"}, {"theta", "\u03B8"}, {"phi", "\u03C6"}, {"rho", "\u03C1"},
-    {"sigma", "\u03C3"}, {"pi", "\u03C0"}, {"lambda", "\u03BB"}, {"delta", "\u03B4"}, {"omega", "\u03C9"},
+    {"alpha", "\u03B1"},
+    {"beta", "\u03B2"},
+    {"theta", "\u03B8"},
+    {"phi", "\u03C6"},
+    {"rho", "\u03C1"},
+    {"sigma", "\u03C3"},
+    {"pi", "\u03C0"},
+    {"lambda", "\u03BB"},
+    {"delta", "\u03B4"},
+    {"omega", "\u03C9"},
 }};
 
-constexpr std::array<std::string_view, 9> functionNames = {"exp", "log", "log1p", "sin", "cos", "tan", "max", "min", "sqrt"};
+constexpr std::array<std::string_view, 9> functionNames = {"exp", "log", "log1p", "sin", "cos",
+                                                           "tan", "max", "min",   "sqrt"};
 
 bool isLetter(char c)
 {

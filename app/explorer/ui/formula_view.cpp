@@ -11,10 +11,13 @@ namespace {
 Face faceOf(PieceStyle style)
 {
     switch (style) {
-    case PieceStyle::Upright: return Face::Body;
-    case PieceStyle::Italic: return Face::Italic;
+    case PieceStyle::Upright:
+        return Face::Body;
+    case PieceStyle::Italic:
+        return Face::Italic;
     case PieceStyle::Subscript:
-    case PieceStyle::Superscript: break;
+    case PieceStyle::Superscript:
+        break;
     }
     return Face::ItalicSmall;
 }

@@ -61,10 +61,13 @@ void drawHelp(ExplorerState& state)
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {points(20), points(16)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::floating);
-    ImGui::Begin("Gestures and keys", &state.showHelp, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::Begin("Gestures and keys", &state.showHelp,
+                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoSavedSettings);
     drawTable();
     ImGui::Dummy({0, points(4)});
-    remark("Vectors: N normal, L to the light, V to the viewer, R = L mirrored about N. Typeface: Inter, SIL Open Font License.");
+    remark("Vectors: N normal, L to the light, V to the viewer, R = L mirrored about N. Typeface: Inter, SIL Open Font "
+           "License.");
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);

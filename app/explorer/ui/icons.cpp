@@ -27,7 +27,8 @@ struct Pen {
     {
         std::array<ImVec2, count> placed;
         std::transform(points.begin(), points.end(), placed.begin(), [this](ImVec2 p) { return at(p.x, p.y); });
-        list.AddPolyline(placed.data(), static_cast<int>(count), color, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width);
+        list.AddPolyline(placed.data(), static_cast<int>(count), color, closed ? ImDrawFlags_Closed : ImDrawFlags_None,
+                         width);
     }
     void circle(float x, float y, float r) const { list.AddCircle(at(x, y), r * radius, color, 0, width); }
     void arc(float fromDegrees, float toDegrees, float r) const
@@ -40,7 +41,10 @@ struct Pen {
 
 void drawFolder(const Pen& pen)
 {
-    pen.line(std::array<ImVec2, 7>{{{-1, 0.75F}, {-1, -0.65F}, {-0.3F, -0.65F}, {-0.05F, -0.35F}, {1, -0.35F}, {1, 0.75F}, {-1, 0.75F}}}, true);
+    pen.line(
+        std::array<ImVec2, 7>{
+            {{-1, 0.75F}, {-1, -0.65F}, {-0.3F, -0.65F}, {-0.05F, -0.35F}, {1, -0.35F}, {1, 0.75F}, {-1, 0.75F}}},
+        true);
 }
 
 void drawFrame(const Pen& pen)
@@ -56,7 +60,8 @@ void drawTurntable(const Pen& pen)
     pen.arc(-50, 230, 0.8F);
     const ImVec2 tip = pen.onCircle(-50, 0.8F);
     const float r = 0.42F * pen.radius;
-    pen.list.AddTriangleFilled({tip.x - r, tip.y - 0.7F * r}, {tip.x + 0.7F * r, tip.y - 0.9F * r}, {tip.x + 0.3F * r, tip.y + 0.9F * r}, pen.color);
+    pen.list.AddTriangleFilled({tip.x - r, tip.y - 0.7F * r}, {tip.x + 0.7F * r, tip.y - 0.9F * r},
+                               {tip.x + 0.3F * r, tip.y + 0.9F * r}, pen.color);
 }
 
 void drawSun(const Pen& pen)
@@ -70,7 +75,15 @@ void drawSun(const Pen& pen)
 
 void drawCamera(const Pen& pen)
 {
-    pen.line(std::array<ImVec2, 8>{{{-1, 0.75F}, {-1, -0.45F}, {-0.45F, -0.45F}, {-0.25F, -0.8F}, {0.25F, -0.8F}, {0.45F, -0.45F}, {1, -0.45F}, {1, 0.75F}}}, true);
+    pen.line(std::array<ImVec2, 8>{{{-1, 0.75F},
+                                    {-1, -0.45F},
+                                    {-0.45F, -0.45F},
+                                    {-0.25F, -0.8F},
+                                    {0.25F, -0.8F},
+                                    {0.45F, -0.45F},
+                                    {1, -0.45F},
+                                    {1, 0.75F}}},
+             true);
     pen.circle(0, 0.12F, 0.36F);
 }
 
@@ -79,13 +92,15 @@ void drawReset(const Pen& pen)
     pen.arc(-230, 50, 0.8F);
     const ImVec2 tip = pen.onCircle(-230, 0.8F);
     const float r = 0.42F * pen.radius;
-    pen.list.AddTriangleFilled({tip.x + r, tip.y + 0.7F * r}, {tip.x - 0.7F * r, tip.y + 0.9F * r}, {tip.x - 0.3F * r, tip.y - 0.9F * r}, pen.color);
+    pen.list.AddTriangleFilled({tip.x + r, tip.y + 0.7F * r}, {tip.x - 0.7F * r, tip.y + 0.9F * r},
+                               {tip.x - 0.3F * r, tip.y - 0.9F * r}, pen.color);
 }
 
 void drawQuestion(const Pen& pen)
 {
     pen.circle(0, 0, 0.95F);
-    pen.list.PathArcTo(pen.at(0, -0.22F), 0.33F * pen.radius, -std::numbers::pi_v<float>, 0.45F * std::numbers::pi_v<float>);
+    pen.list.PathArcTo(pen.at(0, -0.22F), 0.33F * pen.radius, -std::numbers::pi_v<float>,
+                       0.45F * std::numbers::pi_v<float>);
     pen.list.PathLineTo(pen.at(0, 0.3F));
     pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width);
     pen.list.AddCircleFilled(pen.at(0, 0.58F), 0.11F * pen.radius, pen.color);
@@ -97,13 +112,20 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float radius, ImU32 co
 {
     const Pen pen{list, centre, radius, color, std::max(1.2F, radius / 5.5F)};
     switch (icon) {
-    case Icon::Open: return drawFolder(pen);
-    case Icon::Frame: return drawFrame(pen);
-    case Icon::Turntable: return drawTurntable(pen);
-    case Icon::Lights: return drawSun(pen);
-    case Icon::Camera: return drawCamera(pen);
-    case Icon::Reset: return drawReset(pen);
-    case Icon::Help: return drawQuestion(pen);
+    case Icon::Open:
+        return drawFolder(pen);
+    case Icon::Frame:
+        return drawFrame(pen);
+    case Icon::Turntable:
+        return drawTurntable(pen);
+    case Icon::Lights:
+        return drawSun(pen);
+    case Icon::Camera:
+        return drawCamera(pen);
+    case Icon::Reset:
+        return drawReset(pen);
+    case Icon::Help:
+        return drawQuestion(pen);
     }
 }
 

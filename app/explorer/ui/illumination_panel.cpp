@@ -27,7 +27,9 @@ void divider()
 
 void drawIlluminationPanel(ExplorerState& state)
 {
-    const Card card({1, "Illumination", summaryOf(state.scene), "The light that arrives: direction L and intensity I of every light, and what surrounds the object."});
+    const Card card(
+        {1, "Illumination", summaryOf(state.scene),
+         "The light that arrives: direction L and intensity I of every light, and what surrounds the object."});
     if (!card.isOpen())
         return;
     drawLightList(state);

@@ -28,7 +28,8 @@ void drawNameAndKind(Light& light)
     ImGui::InputText("##name", &light.name);
     tooltip("The light's name, for messages and scene files.");
     rowLabel("", "Kind");
-    constexpr std::array<Choice, 2> kinds = {{ // in the order of LightKind
+    constexpr std::array<Choice, 2> kinds = {{
+        // in the order of LightKind
         {"directional", "Like the sun: the same direction L and intensity I everywhere."},
         {"point", "Stands somewhere: I / r\u00B2 arrives at distance r. The object's bounding sphere has radius 1."},
     }};
@@ -66,8 +67,10 @@ NumberRow distanceRow(const LightAngles& initial)
 
 bool drawAngles(LightAngles& angles, const LightAngles& initial, bool withDistance, std::optional<Message>& message)
 {
-    NumberRow azimuth = angleRow("azimuth", "\u03C6", "Azimuth", 180.0, "About the vertical: 0\u00B0 is +z, towards the first view; 90\u00B0 is +x.");
-    NumberRow elevation = angleRow("elevation", "\u03B8", "Elevation", 90.0, "Above the horizon: 90\u00B0 is straight above, +y.");
+    NumberRow azimuth = angleRow("azimuth", "\u03C6", "Azimuth", 180.0,
+                                 "About the vertical: 0\u00B0 is +z, towards the first view; 90\u00B0 is +x.");
+    NumberRow elevation =
+        angleRow("elevation", "\u03B8", "Elevation", 90.0, "Above the horizon: 90\u00B0 is straight above, +y.");
     azimuth.initial = initial.azimuth;
     elevation.initial = initial.elevation;
     bool changed = numberRow(azimuth, angles.azimuth, message);
@@ -77,7 +80,8 @@ bool drawAngles(LightAngles& angles, const LightAngles& initial, bool withDistan
     return changed;
 }
 
-bool drawComponents(const char* symbol, const char* label, const char* about, double range, Vec3d& v, const Vec3d& initial, std::optional<Message>& message)
+bool drawComponents(const char* symbol, const char* label, const char* about, double range, Vec3d& v,
+                    const Vec3d& initial, std::optional<Message>& message)
 {
     constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
     constexpr std::array<double Vec3d::*, 3> members = {&Vec3d::x, &Vec3d::y, &Vec3d::z};
@@ -114,7 +118,8 @@ void drawPlace(Light& light, std::optional<Message>& message)
 void drawDirection(Light& light, std::optional<Message>& message)
 {
     Vec3d typed = normalized(light.direction);
-    if (!drawComponents("L", "Direction", "To the light; kept at length 1. It cannot be (0, 0, 0).", 1.0, typed, normalized(freshLight().direction), message))
+    if (!drawComponents("L", "Direction", "To the light; kept at length 1. It cannot be (0, 0, 0).", 1.0, typed,
+                        normalized(freshLight().direction), message))
         return;
     if (typed == Vec3d())
         message = Message{"A direction cannot be (0, 0, 0); give one of x, y, z another value first", true};
@@ -124,7 +129,8 @@ void drawDirection(Light& light, std::optional<Message>& message)
 
 void drawPosition(Light& light, std::optional<Message>& message)
 {
-    drawComponents("", "Position", "Where the light stands; the object's bounding sphere has radius 1.", 4.0, light.position, freshLight().position, message);
+    drawComponents("", "Position", "Where the light stands; the object's bounding sphere has radius 1.", 4.0,
+                   light.position, freshLight().position, message);
 }
 
 /// The tint survives strength 0, although intensity = strength * tint does not.
@@ -143,7 +149,8 @@ void drawStrength(Light& light, const Vec3d& tint, std::optional<Message>& messa
     row.name = "intensity";
     row.symbol = "I";
     row.label = "Intensity";
-    row.about = "Largest channel of I: the radiance of a perfect white diffuser that faces the light. 1 fills the sensor at exposure 0.";
+    row.about = "Largest channel of I: the radiance of a perfect white diffuser that faces the light. 1 fills the "
+                "sensor at exposure 0.";
     row.sliderMin = 0.01;
     row.sliderMax = 100.0;
     row.logarithmic = true;
@@ -158,14 +165,19 @@ void drawStrength(Light& light, const Vec3d& tint, std::optional<Message>& messa
 void drawTint(Light& light, const Vec3d& tint)
 {
     rowLabel("", "Colour");
-    float encoded[3] = {static_cast<float>(encodeSrgb(tint.x)), static_cast<float>(encodeSrgb(tint.y)), static_cast<float>(encodeSrgb(tint.z))};
-    if (ImGui::ColorEdit3("##tint", encoded, ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_PickerHueWheel)) {
-        const Vec3d picked(decodeSrgb(static_cast<double>(encoded[0])), decodeSrgb(static_cast<double>(encoded[1])), decodeSrgb(static_cast<double>(encoded[2])));
+    float encoded[3] = {static_cast<float>(encodeSrgb(tint.x)), static_cast<float>(encodeSrgb(tint.y)),
+                        static_cast<float>(encodeSrgb(tint.z))};
+    if (ImGui::ColorEdit3("##tint", encoded,
+                          ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_PickerHueWheel |
+                              ImGuiColorEditFlags_NoTooltip)) {
+        const Vec3d picked(decodeSrgb(static_cast<double>(encoded[0])), decodeSrgb(static_cast<double>(encoded[1])),
+                           decodeSrgb(static_cast<double>(encoded[2])));
         if (strengthOf(picked) > 0.0)
             light.intensity = tintOf(picked) * strengthOf(light.intensity);
     }
-    tooltip("Colour of the light at its intensity: red, green, blue as sRGB codes. I = (" + general(light.intensity.x, 4) + ", " +
-            general(light.intensity.y, 4) + ", " + general(light.intensity.z, 4) + "), linear.");
+    tooltip("Colour of the light at its intensity: red, green, blue as sRGB codes. I = (" +
+            general(light.intensity.x, 4) + ", " + general(light.intensity.y, 4) + ", " +
+            general(light.intensity.z, 4) + "), linear.");
 }
 
 void drawRadius(Light& light, bool counts, std::optional<Message>& message)
@@ -174,7 +186,8 @@ void drawRadius(Light& light, bool counts, std::optional<Message>& message)
     row.name = "angular radius";
     row.label = "Angular radius";
     row.unit = degrees;
-    row.about = "How large a mirror shows the light; the sun has 0.27\u00B0. A light of radius 0 is met by no view direction.";
+    row.about =
+        "How large a mirror shows the light; the sun has 0.27\u00B0. A light of radius 0 is met by no view direction.";
     row.sliderMax = 20.0;
     row.legalMin = 0.0;
     row.legalMax = 90.0;

@@ -46,7 +46,8 @@ void drawSwitch(Light& light)
     tooltip(light.on ? "Switch this light off." : "Switch this light on.");
     const float side = points(14);
     if (ImGui::IsItemHovered())
-        ImGui::GetWindowDrawList()->AddCircle({start.x + height / 2, start.y + height / 2}, side / 2 + points(3), ImGui::GetColorU32(palette::accent));
+        ImGui::GetWindowDrawList()->AddCircle({start.x + height / 2, start.y + height / 2}, side / 2 + points(3),
+                                              ImGui::GetColorU32(palette::accent));
     drawSwatch(light, {start.x + (height - side) / 2, start.y + (height - side) / 2}, side);
 }
 
@@ -58,18 +59,21 @@ void drawName(ExplorerState& state, int index, float width)
     if (ImGui::InvisibleButton("select", {width, height}))
         state.selectedLight = index;
     if (state.selectedLight == index || ImGui::IsItemHovered())
-        ImGui::GetWindowDrawList()->AddRectFilled(start, {start.x + width, start.y + height},
-                                                  ImGui::GetColorU32(state.selectedLight == index ? palette::chosen : palette::raised),
-                                                  ImGui::GetStyle().FrameRounding);
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            start, {start.x + width, start.y + height},
+            ImGui::GetColorU32(state.selectedLight == index ? palette::chosen : palette::raised),
+            ImGui::GetStyle().FrameRounding);
     tooltip("Select " + light.name + ": its controls are below, its handle in the view is highlighted.");
     const bool shines = light.on && (state.soloLight < 0 || state.soloLight == index);
     const ImVec2 kindSize = sizeIn(Face::Small, "directional");
     const std::string shown = elided(light.name, width - kindSize.x - points(16));
     const float middle = start.y + height / 2;
-    drawText(*ImGui::GetWindowDrawList(), Face::Body, {start.x + points(6), middle - ImGui::GetFontSize() / 2}, shines ? palette::text : palette::quiet, shown);
+    drawText(*ImGui::GetWindowDrawList(), Face::Body, {start.x + points(6), middle - ImGui::GetFontSize() / 2},
+             shines ? palette::text : palette::quiet, shown);
     const char* kind = light.kind == LightKind::Directional ? "directional" : "point";
     const float kindLeft = start.x + width - sizeIn(Face::Small, kind).x - points(6);
-    drawText(*ImGui::GetWindowDrawList(), Face::Small, {kindLeft, middle - kindSize.y / 2}, state.selectedLight == index ? palette::text : palette::quiet, kind);
+    drawText(*ImGui::GetWindowDrawList(), Face::Small, {kindLeft, middle - kindSize.y / 2},
+             state.selectedLight == index ? palette::text : palette::quiet, kind);
 }
 
 /// Returns true where the light is to be removed.
@@ -111,7 +115,9 @@ void drawAddButtons(ExplorerState& state)
 unsigned int swatchColor(const Light& light)
 {
     const Vec3d tint = tintOf(light.intensity);
-    const auto channel = [](double linear) { return static_cast<int>(quantised(encodeSrgb(std::clamp(linear, 0.0, 1.0)))); };
+    const auto channel = [](double linear) {
+        return static_cast<int>(quantised(encodeSrgb(std::clamp(linear, 0.0, 1.0))));
+    };
     return IM_COL32(channel(tint.x), channel(tint.y), channel(tint.z), 255);
 }
 

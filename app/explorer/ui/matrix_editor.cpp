@@ -11,7 +11,8 @@ namespace reflectance::explorer {
 
 namespace {
 
-constexpr std::array<Choice, 3> modes = {{ // in the order of MatrixMode
+constexpr std::array<Choice, 3> modes = {{
+    // in the order of MatrixMode
     {"scalar", "One number for all sensors: a grey surface. Going back restores the colours."},
     {"diagonal", "One number per sensor, as if the filters did not overlap: a cheat, and the usual one. "
                  "Off-diagonals are remembered."},
@@ -20,7 +21,8 @@ constexpr std::array<Choice, 3> modes = {{ // in the order of MatrixMode
 
 constexpr std::array<const char*, 3> letters = {"R", "G", "B"};
 constexpr std::array<const char*, 3> names = {"red", "green", "blue"};
-constexpr std::array<ImU32, 3> inks = {IM_COL32(232, 132, 124, 255), IM_COL32(136, 198, 136, 255), IM_COL32(132, 170, 240, 255)};
+constexpr std::array<ImU32, 3> inks = {IM_COL32(232, 132, 124, 255), IM_COL32(136, 198, 136, 255),
+                                       IM_COL32(132, 170, 240, 255)};
 
 bool drawModes(MatrixValues& K, MatrixMemory& memory)
 {
@@ -35,7 +37,8 @@ bool drawModes(MatrixValues& K, MatrixMemory& memory)
 void centredLetter(ImVec2 topLeft, float width, float height, std::string_view text, ImU32 color, Face which)
 {
     const ImVec2 size = sizeIn(which, text);
-    drawText(*ImGui::GetWindowDrawList(), which, {topLeft.x + (width - size.x) / 2, topLeft.y + (height - size.y) / 2}, color, text);
+    drawText(*ImGui::GetWindowDrawList(), which, {topLeft.x + (width - size.x) / 2, topLeft.y + (height - size.y) / 2},
+             color, text);
 }
 
 NumberRow cellRow(const Parameter& parameter, std::size_t row, std::size_t column)
@@ -43,7 +46,8 @@ NumberRow cellRow(const Parameter& parameter, std::size_t row, std::size_t colum
     NumberRow cell = rowOf(parameter, 3 * row + column);
     cell.name = std::string("K") + letters[row] + letters[column];
     cell.label = parameter.symbol + ", " + names[row] + " sensor, " + names[column] + " light";
-    cell.about = std::string("How much of the light's ") + names[column] + " primary the " + names[row] + " sensor sees.";
+    cell.about =
+        std::string("How much of the light's ") + names[column] + " primary the " + names[row] + " sensor sees.";
     return cell;
 }
 
@@ -65,7 +69,8 @@ void drawColumnLetters(const Grid& grid)
     const float height = points(18);
     for (std::size_t column = 0; column < 3; ++column) {
         const float x = start.x + grid.letter + static_cast<float>(column) * (grid.cell + grid.gap);
-        centredLetter({x, start.y}, grid.cell, height, std::string(letters[column]) + " light", inks[column], Face::Small);
+        centredLetter({x, start.y}, grid.cell, height, std::string(letters[column]) + " light", inks[column],
+                      Face::Small);
     }
     const float sumLeft = start.x + grid.letter + 3 * (grid.cell + grid.gap);
     centredLetter({sumLeft, start.y}, grid.sum, height, "\u03A3 row", palette::quiet, Face::Small);
@@ -77,10 +82,12 @@ void drawRowSum(const Grid& grid, ImVec2 topLeft, double sum)
     ImGui::SetCursorScreenPos(topLeft);
     ImGui::Dummy({grid.sum, ImGui::GetFrameHeight()});
     tooltip("What this sensor gets under white light, with the surface facing it. Above 1 the surface is not passive.");
-    centredLetter(topLeft, grid.sum, ImGui::GetFrameHeight(), general(sum, 3), sum > 1.0 ? palette::warning : palette::quiet, Face::Body);
+    centredLetter(topLeft, grid.sum, ImGui::GetFrameHeight(), general(sum, 3),
+                  sum > 1.0 ? palette::warning : palette::quiet, Face::Body);
 }
 
-bool drawRow(const Parameter& parameter, std::size_t row, const Grid& grid, MatrixMode mode, MatrixValues& K, ExplorerState& state)
+bool drawRow(const Parameter& parameter, std::size_t row, const Grid& grid, MatrixMode mode, MatrixValues& K,
+             ExplorerState& state)
 {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight();
@@ -95,7 +102,8 @@ bool drawRow(const Parameter& parameter, std::size_t row, const Grid& grid, Matr
         ImGui::SetCursorScreenPos(topLeft);
         changed |= numberField(cellRow(parameter, row, column), K[3 * row + column], grid.cell, state.message);
     }
-    drawRowSum(grid, {start.x + grid.letter + 3 * (grid.cell + grid.gap), start.y}, K[3 * row] + K[3 * row + 1] + K[3 * row + 2]);
+    drawRowSum(grid, {start.x + grid.letter + 3 * (grid.cell + grid.gap), start.y},
+               K[3 * row] + K[3 * row + 1] + K[3 * row + 2]);
     return changed;
 }
 
@@ -127,7 +135,8 @@ void drawModeRemark(const MatrixValues& K, MatrixMode mode, const MatrixMemory& 
     if (mode == MatrixMode::Full)
         remark("A diagonal would drop " + share + ".");
     else if (dropped > 0.0)
-        remark("A " + std::string(mode == MatrixMode::Diagonal ? "diagonal" : "scalar") + " K is a cheat: it drops the overlap of the filters, " + share + ".",
+        remark("A " + std::string(mode == MatrixMode::Diagonal ? "diagonal" : "scalar") +
+                   " K is a cheat: it drops the overlap of the filters, " + share + ".",
                palette::warning);
     else if (mode == MatrixMode::Diagonal)
         remark("A diagonal K is a cheat: real filters overlap.", palette::warning);

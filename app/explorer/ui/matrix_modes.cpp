@@ -92,12 +92,13 @@ std::vector<std::string> matrixRemarks(const MatrixValues& K)
     for (std::size_t row = 0; row < 3; ++row) {
         const double sum = K[3 * row] + K[3 * row + 1] + K[3 * row + 2];
         if (sum > 1.0)
-            remarks.push_back("Not passive: under white light the " + std::string(channels[row]) + " sensor gets " + general(sum, 4) +
-                              " times what a perfect white diffuser gives.");
+            remarks.push_back("Not passive: under white light the " + std::string(channels[row]) + " sensor gets " +
+                              general(sum, 4) + " times what a perfect white diffuser gives.");
     }
     if (std::any_of(K.begin(), K.end(), [](double k) { return k < 0.0; }))
-        remarks.push_back("A negative entry is legal: it takes light of one primary away from a sensor, as a colour transform does. "
-                          "Pixels may become negative; the sensor counts them.");
+        remarks.push_back(
+            "A negative entry is legal: it takes light of one primary away from a sensor, as a colour transform does. "
+            "Pixels may become negative; the sensor counts them.");
     return remarks;
 }
 

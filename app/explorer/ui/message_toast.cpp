@@ -8,8 +8,9 @@ namespace reflectance::explorer {
 
 namespace {
 
-constexpr ImGuiWindowFlags toastFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags toastFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
 } // namespace
 
@@ -36,7 +37,8 @@ void drawMessage(ExplorerState& state, ImVec2 bottomLeft, float width)
     tooltip("Dismiss this message.  Esc");
     const ImVec2 size = ImGui::GetWindowSize();
     ImGui::PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, false);
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + points(5), corner.y + size.y}, mark, points(8), ImDrawFlags_RoundCornersLeft);
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + points(5), corner.y + size.y}, mark, points(8),
+                                              ImDrawFlags_RoundCornersLeft);
     ImGui::PopClipRect();
     ImGui::End();
     ImGui::PopStyleColor();

@@ -83,8 +83,9 @@ void drawTooltip(const NumberRow& row, double value)
         drawFormula(row.formula, points(320));
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
     remark("value " + shortest(value) + unit + ",  default " + shortest(row.initial) + unit);
-    remark("slider " + rangeEnd(row.sliderMin) + " \u2026 " + rangeEnd(row.sliderMax) + (row.logarithmic ? " (logarithmic)" : "") +
-           ",  legal " + rangeEnd(row.legalMin) + " \u2026 " + rangeEnd(row.legalMax));
+    remark("slider " + rangeEnd(row.sliderMin) + " \u2026 " + rangeEnd(row.sliderMax) +
+           (row.logarithmic ? " (logarithmic)" : "") + ",  legal " + rangeEnd(row.legalMin) + " \u2026 " +
+           rangeEnd(row.legalMax));
     if (!row.source.empty())
         remark("source: " + row.source);
     remark("Double-click: default.  Ctrl+click: type.", palette::accent);
@@ -98,8 +99,8 @@ bool isLegal(const NumberRow& row, double value)
 
 std::string refusal(const NumberRow& row, double value)
 {
-    return row.label + " cannot be " + shortest(value) + "; it takes " + rangeEnd(row.legalMin) + " to " + rangeEnd(row.legalMax) +
-           (row.unit.empty() ? "" : " " + row.unit);
+    return row.label + " cannot be " + shortest(value) + "; it takes " + rangeEnd(row.legalMin) + " to " +
+           rangeEnd(row.legalMax) + (row.unit.empty() ? "" : " " + row.unit);
 }
 
 /// Slider, reset and check; the well has been drawn. The slider's own frame and grab stay clear.
@@ -107,11 +108,13 @@ bool editedBySlider(const NumberRow& row, double& value, std::optional<Message>&
 {
     double edited = value;
     const std::string format = formatFor(row);
-    for (const ImGuiCol color : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
+    for (const ImGuiCol color : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_SliderGrab,
+                                 ImGuiCol_SliderGrabActive})
         ImGui::PushStyleColor(color, IM_COL32_BLACK_TRANS);
     ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 1.0F); // so that the fill ends where the mouse is
     const ImGuiSliderFlags flags = row.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-    bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &edited, &row.sliderMin, &row.sliderMax, format.c_str(), flags);
+    bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &edited, &row.sliderMin, &row.sliderMax,
+                                       format.c_str(), flags);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(5);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {

@@ -14,8 +14,8 @@ struct NumberRow {
     std::string name;   ///< unique among the rows of a card; also names the value in messages
     std::string symbol; ///< "k_s", or empty
     std::string label;
-    std::string unit;   ///< "°", "EV"; "" for pure numbers
-    std::string about;  ///< one sentence
+    std::string unit;                       ///< "°", "EV"; "" for pure numbers
+    std::string about;                      ///< one sentence
     std::vector<FormulaPiece> formula = {}; ///< typeset
     std::string source = {};
     double sliderMin = 0.0, sliderMax = 1.0;

@@ -15,7 +15,8 @@ std::vector<double> currentValues(const ParameterValues& values, const Parameter
     return found == values.end() ? parameter.initial : found->second;
 }
 
-bool colorRow(const Parameter& parameter, std::vector<double>& values, const std::vector<FormulaPiece>& formula, ExplorerState& state)
+bool colorRow(const Parameter& parameter, std::vector<double>& values, const std::vector<FormulaPiece>& formula,
+              ExplorerState& state)
 {
     constexpr std::array<const char*, 3> channels = {"red", "green", "blue"};
     rowLabel(parameter.symbol, parameter.label);
@@ -34,7 +35,8 @@ bool colorRow(const Parameter& parameter, std::vector<double>& values, const std
     return changed;
 }
 
-bool numberRowOf(const Parameter& parameter, std::vector<double>& values, const std::vector<FormulaPiece>& formula, ExplorerState& state)
+bool numberRowOf(const Parameter& parameter, std::vector<double>& values, const std::vector<FormulaPiece>& formula,
+                 ExplorerState& state)
 {
     NumberRow row = rowOf(parameter, 0);
     row.formula = formula;

@@ -33,11 +33,14 @@ void drawCount(const char* name, std::size_t count, const char* about, ImU32 col
 
 void drawCounts(const SensorCounts& counts)
 {
-    drawCount("clipped", counts.clipped, "Pixels with a channel above 1 after exposure: they are shown as 255.", palette::warning);
+    drawCount("clipped", counts.clipped, "Pixels with a channel above 1 after exposure: they are shown as 255.",
+              palette::warning);
     ImGui::SameLine(0, points(14));
-    drawCount("negative", counts.negative, "Pixels with a channel below 0: they are shown as 0. K has negative entries.", palette::warning);
+    drawCount("negative", counts.negative,
+              "Pixels with a channel below 0: they are shown as 0. K has negative entries.", palette::warning);
     ImGui::SameLine(0, points(14));
-    drawCount("not finite", counts.nonFinite, "Pixels with a NaN or infinite channel: they are shown as 0.", palette::error);
+    drawCount("not finite", counts.nonFinite, "Pixels with a NaN or infinite channel: they are shown as 0.",
+              palette::error);
 }
 
 } // namespace
@@ -53,7 +56,8 @@ void drawSensorPanel(ExplorerState& state)
     rowLabel("", "Encoding");
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("sRGB, 8 bit");
-    tooltip("The exact sRGB curve (IEC 61966-2-1), then rounding to 0 \u2026 255. EXR and PFM pictures keep linear values.");
+    tooltip("The exact sRGB curve (IEC 61966-2-1), then rounding to 0 \u2026 255. EXR and PFM pictures keep linear "
+            "values.");
     if (state.sensorCounts)
         drawCounts(*state.sensorCounts);
 }

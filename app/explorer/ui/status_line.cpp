@@ -35,7 +35,8 @@ void drawPart(const StatusPart& part, PartForm form, ImVec2 topLeft)
     const bool hovered = ImGui::IsItemHovered();
     tooltip(part.about);
     const ImU32 color = hovered ? palette::text : part.isNews ? palette::accent : palette::quiet;
-    drawText(*ImGui::GetWindowDrawList(), Face::Small, {topLeft.x, ImGui::GetWindowPos().y + (statusLineHeight() - size.y) / 2}, color, text);
+    drawText(*ImGui::GetWindowDrawList(), Face::Small,
+             {topLeft.x, ImGui::GetWindowPos().y + (statusLineHeight() - size.y) / 2}, color, text);
 }
 
 /// The left group from the left edge, the right group up to the right edge.
@@ -64,15 +65,19 @@ void drawParts(const std::vector<StatusPart>& left, const std::vector<StatusPart
 StatusPart loadingPart(const Loading& loading)
 {
     const std::string file = std::filesystem::path(loading.file).filename().string();
-    const std::string percent = std::to_string(static_cast<int>(std::lround(100.0 * std::clamp(loading.done, 0.0, 1.0)))) + " %";
-    return {"reading " + file + ", " + percent, "reading " + percent, "Reading " + loading.file + ". Esc stops it.", 9, false};
+    const std::string percent =
+        std::to_string(static_cast<int>(std::lround(100.0 * std::clamp(loading.done, 0.0, 1.0)))) + " %";
+    return {"reading " + file + ", " + percent, "reading " + percent, "Reading " + loading.file + ". Esc stops it.", 9,
+            false};
 }
 
 void drawProgress(const Loading& loading)
 {
     const ImVec2 corner = ImGui::GetWindowPos();
     const auto share = static_cast<float>(std::clamp(loading.done, 0.0, 1.0));
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + share * ImGui::GetWindowWidth(), corner.y + points(2)}, ImGui::GetColorU32(palette::accent));
+    ImGui::GetWindowDrawList()->AddRectFilled(corner,
+                                              {corner.x + share * ImGui::GetWindowWidth(), corner.y + points(2)},
+                                              ImGui::GetColorU32(palette::accent));
 }
 
 } // namespace

@@ -13,7 +13,9 @@ namespace {
 std::string inThousands(std::size_t count)
 {
     const auto n = static_cast<double>(count);
-    return count < 1000 ? std::to_string(count) : count < 1000000 ? general(n / 1e3, 3) + "k" : general(n / 1e6, 3) + "M";
+    return count < 1000      ? std::to_string(count)
+           : count < 1000000 ? general(n / 1e3, 3) + "k"
+                             : general(n / 1e6, 3) + "M";
 }
 
 StatusPart framePart(const ExplorerState& state)
@@ -26,19 +28,22 @@ StatusPart trianglePart(const ExplorerState& state)
 {
     const std::size_t count = state.scene.mesh ? state.scene.mesh->triangles.size() : 0;
     const std::size_t vertices = state.scene.mesh ? state.scene.mesh->positions.size() : 0;
-    return {grouped(count) + " triangles", inThousands(count) + " tri", grouped(count) + " triangles, " + grouped(vertices) + " vertices.", 5, false};
+    return {grouped(count) + " triangles", inThousands(count) + " tri",
+            grouped(count) + " triangles, " + grouped(vertices) + " vertices.", 5, false};
 }
 
 StatusPart rendererPart(const ExplorerState& state)
 {
-    return {state.renderer, std::string(trimmed(state.renderer.substr(0, state.renderer.find('(')))), "Drawn by OpenGL on " + state.renderer + ".", 1, false};
+    return {state.renderer, std::string(trimmed(state.renderer.substr(0, state.renderer.find('(')))),
+            "Drawn by OpenGL on " + state.renderer + ".", 1, false};
 }
 
 StatusPart leftOutPart(const std::vector<std::string>& sentences)
 {
     const std::string count = std::to_string(sentences.size()) + " left out";
     const std::string full = sentences.size() == 1 ? "left out: " + sentences[0] : count;
-    return {full, count, "Only what the scene requires is computed. Left out:\n\u2022 " + joined(sentences, "\n\u2022 "), 6, true};
+    return {full, count,
+            "Only what the scene requires is computed. Left out:\n\u2022 " + joined(sentences, "\n\u2022 "), 6, true};
 }
 
 StatusPart pricePart(const PriceTag& tag)
@@ -50,7 +55,8 @@ StatusPart pricePart(const PriceTag& tag)
     if (isTruth)
         about += "This is the truth that the others are measured against.";
     else
-        about += "Largest difference of a linear channel to the double picture: " + written(tag.maxError, 3) + "; RMSE " + written(tag.rmse, 3) + ".";
+        about += "Largest difference of a linear channel to the double picture: " + written(tag.maxError, 3) +
+                 "; RMSE " + written(tag.rmse, 3) + ".";
     if (tag.worstX >= 0)
         about += "\nWorst at pixel (" + std::to_string(tag.worstX) + ", " + std::to_string(tag.worstY) + ").";
     return {time + error, time, about, isTruth ? 2 : 4, false};
@@ -74,7 +80,8 @@ std::vector<StatusPart> priceParts(const ExplorerState& state)
     for (const PriceTag& tag : state.priceTags)
         parts.push_back(pricePart(tag));
     if (state.measuringPrices && state.priceTags.empty())
-        parts.push_back({"measuring float, SIMD and GL against double\u2026", "measuring\u2026", "The price tags of this scene are being measured.", 3, false});
+        parts.push_back({"measuring float, SIMD and GL against double\u2026", "measuring\u2026",
+                         "The price tags of this scene are being measured.", 3, false});
     return parts;
 }
 
@@ -87,7 +94,8 @@ std::vector<PartForm> formsThatFit(std::span<const PartWidth> parts, float avail
     std::vector<std::size_t> order(parts.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return parts[a].weight < parts[b].weight; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return parts[a].weight < parts[b].weight; });
     for (const std::size_t i : order) {
         if (total <= available)
             return forms;

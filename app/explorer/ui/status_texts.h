@@ -11,9 +11,9 @@ namespace reflectance::explorer {
 
 struct StatusPart {
     std::string full;
-    std::string brief; ///< where there is little room
-    std::string about; ///< tooltip: everything, in sentences
-    int weight = 0;    ///< parts of small weight are shortened first, and then left out
+    std::string brief;   ///< where there is little room
+    std::string about;   ///< tooltip: everything, in sentences
+    int weight = 0;      ///< parts of small weight are shortened first, and then left out
     bool isNews = false; ///< worth a look
 };
 

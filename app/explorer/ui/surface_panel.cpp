@@ -101,7 +101,8 @@ void drawKeptValues(const ModelText& model, const ParameterValues& values)
     const auto isForeign = [&](const auto& entry) { return model.find(entry.first) == nullptr; };
     if (std::none_of(values.begin(), values.end(), isForeign))
         return;
-    const bool open = fold("Kept for other models", "Values that this model does not use. They come back with a model that does.");
+    const bool open =
+        fold("Kept for other models", "Values that this model does not use. They come back with a model that does.");
     for (const auto& entry : values)
         if (open && isForeign(entry))
             remark(kept(entry));

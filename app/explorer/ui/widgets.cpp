@@ -30,8 +30,8 @@ ImVec2 sizeIn(Face which, std::string_view text)
 void drawText(ImDrawList& list, Face which, ImVec2 topLeft, ImU32 color, std::string_view text)
 {
     const ImFont* font = face(which);
-    list.AddText(font, font->FontSize, {std::round(topLeft.x), std::round(topLeft.y)}, ImGui::GetColorU32(color), text.data(),
-                 text.data() + text.size());
+    list.AddText(font, font->FontSize, {std::round(topLeft.x), std::round(topLeft.y)}, ImGui::GetColorU32(color),
+                 text.data(), text.data() + text.size());
 }
 
 bool tooltipIsDue()
