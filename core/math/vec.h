@@ -43,7 +43,8 @@ template <class T> struct Vec3 {
     friend constexpr Vec3 operator*(const Vec3& a, const T& s) { return {a.x * s, a.y * s, a.z * s}; }
     friend constexpr Vec3 operator*(const T& s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
     friend constexpr Vec3 operator/(const Vec3& a, const T& s) { return {a.x / s, a.y / s, a.z / s}; }
-    friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+    // Not defaulted: clang would compare SIMD lanes too, and they have no single answer.
+    friend constexpr bool operator==(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 };
 
 using Vec3d = Vec3<double>;

@@ -147,13 +147,13 @@ Inputs inputsOf(const OracleCase& c)
     return inputs;
 }
 
-/// By how much input i is moved: eps of the vector's length for directions, eps of itself for everything else.
-Real stepOf(const Inputs& inputs, std::size_t i, double eps)
+/// By how much input i is moved: a share of the vector's length for directions, of itself for everything else.
+Real stepOf(const Inputs& inputs, std::size_t i, double share)
 {
     if (i >= atI)
-        return inputs[i] * eps;
+        return inputs[i] * share;
     const Three v = three(inputs, i - i % 3);
-    return sqrt(dot(v, v)) * eps;
+    return sqrt(dot(v, v)) * share;
 }
 
 } // namespace
@@ -164,15 +164,16 @@ OracleAnswer oracle(const OracleCase& c, double eps)
     const Inputs inputs = inputsOf(c);
     const Three truth = value(inputs);
     Three sensitivity{};
+    const double move = 16.0 * eps;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         Inputs moved = inputs;
-        const Real step = stepOf(inputs, i, eps);
+        const Real step = stepOf(inputs, i, move);
         moved[i] = inputs[i] + step;
         const Three above = value(moved);
         moved[i] = inputs[i] - step;
         const Three below = value(moved);
         for (std::size_t k = 0; k < 3; ++k)
-            sensitivity[k] += std::max(Real(abs(above[k] - truth[k])), Real(abs(below[k] - truth[k]))) / eps;
+            sensitivity[k] += std::max(Real(abs(above[k] - truth[k])), Real(abs(below[k] - truth[k]))) / move;
     }
     const auto rounded = [](const Three& t) { return Vec3d{double(t[0]), double(t[1]), double(t[2])}; };
     const Vec3d high = rounded(truth);

@@ -25,8 +25,9 @@ struct OracleCase {
 struct OracleAnswer {
     Vec3d value;     ///< the true value, rounded to double
     Vec3d remainder; ///< what that rounding left: value + remainder has 32 digits
-    /// How far the value moves per unit roundoff, kappa |value|: the sum over all inputs of |change| / eps, where each
-    /// component of N, L and V is moved by eps of the vector's length, everything else by eps of itself.
+    /// How far the value moves per unit roundoff, kappa |value|: the sum over all inputs of |change| / 16 eps, where
+    /// each component of N, L and V is moved by 16 eps of the vector's length, all else by 16 eps of itself. That far
+    /// roundings can together carry a row across the rim of a light or the horizon, where values jump.
     Vec3d sensitivity;
 };
 

@@ -49,11 +49,15 @@ void setDirections(Dice& dice, std::size_t row, OracleCase& c)
     constexpr double rightAngle = std::numbers::pi / 2;
     c.N = dice.direction();
     c.L = row % 10 == 0 ? dice.direction() : dice.above(c.N);
+    // One throw per statement: the order of arguments is the compiler's choice.
+    const double elevation = dice.logUniform(1e-12, 0.1);
+    const double offset = dice.logUniform(1e-8, 1.6);
+    const double azimuth = dice.uniform(0.0, 2.0 * std::numbers::pi);
     if (row % 4 == 1)
-        c.L = tilted(c.N, rightAngle - dice.logUniform(1e-12, 0.1), dice.uniform(0.0, 6.3));
+        c.L = tilted(c.N, rightAngle - elevation, azimuth);
     c.V = dice.above(c.N);
     if (row % 2 == 0)
-        c.V = tilted(normalized(mirrored(c.N, c.L)), dice.logUniform(1e-8, 1.6), dice.uniform(0.0, 6.3));
+        c.V = tilted(normalized(mirrored(c.N, c.L)), offset, azimuth);
     c.N = dice.logUniform(1e-200, 1e200) * c.N;
     c.L = dice.logUniform(1e-200, 1e200) * c.L;
     c.V = dice.logUniform(1e-200, 1e200) * c.V;
