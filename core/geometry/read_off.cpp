@@ -56,8 +56,8 @@ private:
         return {};
     }
 
-    /// [ST][C][N]OFF, the counts possibly right behind it. What else OFF knows (binary, four or more dimensions) is rare
-    /// and refused by name.
+    /// [ST][C][N]OFF, the counts possibly right behind it. What else OFF knows (binary, more dimensions) is rare and
+    /// refused by name.
     Result<void> readKeyword()
     {
         TextCursor ahead = cursor_;

@@ -27,8 +27,8 @@ struct GridSize {
     bool columnsClose = false;
 };
 
-/// Adds the grid of points at(row, column). A row whose points coincide becomes one vertex (a pole) with triangles. Every
-/// face is wound so that its normals point outward.
+/// Adds the grid of points at(row, column). A row whose points coincide becomes one vertex (a pole) with triangles.
+/// Every face is wound so that its normals point outward.
 void addGrid(Shape& shape, const GridSize& size, const std::function<SurfacePoint(int row, int column)>& at);
 
 /// Unit normals of a grid of positions by central differences; `outward` tells which of the two sides is meant.

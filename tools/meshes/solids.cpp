@@ -47,7 +47,7 @@ Shape torusKnot()
         const double angle = 2.0 * pi * column / columns;
         const Vec3d middle = knotLine(t);
         const Vec3d along = normalized(knotLine(t + 1e-4) - knotLine(t - 1e-4));
-        // The direction to the axis of the torus turns smoothly along the knot, so that the tube closes without a twist.
+        // The direction to the axis of the torus turns smoothly along the knot: the tube closes without a twist.
         const Vec3d out{std::cos(2.0 * t), 0.0, std::sin(2.0 * t)};
         const Vec3d side = normalized(cross(along, out));
         const Vec3d normal = std::cos(angle) * cross(side, along) + std::sin(angle) * side;
