@@ -194,6 +194,7 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
     session.state.preferences = start;
     session.state.renderer = renderer->description();
     session.state.scene = defaultScene();
+    session.state.scene.camera = framedWithHandles(session.state.scene.camera, session.viewport.view.size);
     if (!preferences)
         session.state.message = Message{preferences.error().sentence(), true};
     openAtStart(session, options);

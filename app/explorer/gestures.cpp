@@ -12,7 +12,8 @@ constexpr double brightest = 1e6;
 
 constexpr double largestSphere = 1.25;
 /// Of the picture's half height or width: what is left is for the handle's disc.
-constexpr double shareOfPicture = 0.92;
+constexpr double shareOfPicture = 0.95;
+constexpr double roomForHandles = 1.12;
 
 /// Tangent of half the vertical field of view.
 double halfHeight(const Camera& camera)
@@ -167,6 +168,11 @@ Camera orbitedByDrag(const Camera& camera, ViewSize size, double dx, double dy)
 Camera pannedByDrag(const Camera& camera, ViewSize size, double dx, double dy)
 {
     return panned(camera, dx / size.height, dy / size.height);
+}
+
+Camera framedWithHandles(const Camera& camera, ViewSize size)
+{
+    return zoomed(framed(camera, static_cast<double>(size.width) / size.height), roomForHandles);
 }
 
 Camera zoomedByWheel(const Camera& camera, double steps)

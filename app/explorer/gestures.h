@@ -62,6 +62,8 @@ struct HandleView {
 [[nodiscard]] Camera orbitedByDrag(const Camera& camera, ViewSize size, double dx, double dy);
 /// The camera after a middle-drag: what lies at the target's distance follows the hand.
 [[nodiscard]] Camera pannedByDrag(const Camera& camera, ViewSize size, double dx, double dy);
+/// The object whole, with room around it for the handles.
+[[nodiscard]] Camera framedWithHandles(const Camera& camera, ViewSize size);
 /// The camera after turns of the wheel; positive goes nearer.
 [[nodiscard]] Camera zoomedByWheel(const Camera& camera, double steps);
 /// The camera after a right-drag: 200 pixels up halve the distance to the target.

@@ -22,14 +22,9 @@ void complain(Session& session, const Error& error)
     session.state.message = Message{error.sentence(), true};
 }
 
-double aspectOf(const Viewport& viewport)
-{
-    return static_cast<double>(viewport.view.size.width) / viewport.view.size.height;
-}
-
 void frame(Session& session)
 {
-    session.state.scene.camera = framed(session.state.scene.camera, aspectOf(session.viewport));
+    session.state.scene.camera = framedWithHandles(session.state.scene.camera, session.viewport.view.size);
 }
 
 void resetView(Session& session)

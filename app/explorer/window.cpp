@@ -85,7 +85,9 @@ struct WindowState {
     ImGuiContext* gui = nullptr;
     Events events;
     std::string title;
-    std::optional<ImVec2> pressedAt; ///< the first press of a mouse button since the last frame
+    ImVec2 cursor;                    ///< as of the last event: glfwGetCursorPos asks for the present, which is later
+    std::optional<ImVec2> pressedAt;  ///< the first press of a mouse button that no frame has seen
+    std::optional<ImVec2> releasedAt; ///< the last release that no frame has seen
     bool happened = false;
     bool shown = false;
     float chosenScale = 0.0F; ///< 0: the monitor's
@@ -132,14 +134,29 @@ void filesDropped(GLFWwindow* window, int count, const char** paths)
     stateOf(window).events.dropped.assign(paths, paths + count);
 }
 
+void cursorMoved(GLFWwindow* window, double x, double y)
+{
+    stateOf(window).happened = true;
+    stateOf(window).cursor = {static_cast<float>(x), static_cast<float>(y)};
+}
+
 void buttonChanged(GLFWwindow* window, int, int action, int)
 {
     WindowState& state = stateOf(window);
     state.happened = true;
-    double x = 0.0, y = 0.0;
-    glfwGetCursorPos(window, &x, &y);
-    if (action == GLFW_PRESS && !state.pressedAt)
-        state.pressedAt = ImVec2(static_cast<float>(x), static_cast<float>(y));
+    if (action == GLFW_RELEASE)
+        state.releasedAt = state.cursor;
+    else if (!state.pressedAt)
+        state.pressedAt = state.cursor;
+}
+
+/// A press and a release count where they happened, even if the hand has moved on before the frame that sees them.
+void placeMouse(WindowState& state)
+{
+    if (const auto pressedAt = std::exchange(state.pressedAt, std::nullopt))
+        ImGui::GetIO().MousePos = *pressedAt;
+    else if (const auto releasedAt = std::exchange(state.releasedAt, std::nullopt))
+        ImGui::GetIO().MousePos = *releasedAt;
 }
 
 /// Notes that something happened; ImGui's back end calls these and then does its own part.
@@ -148,7 +165,7 @@ void installCallbacks(GLFWwindow* window)
     glfwSetKeyCallback(window, keyPressed);
     glfwSetDropCallback(window, filesDropped);
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { stateOf(w).happened = true; });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { stateOf(w).happened = true; });
+    glfwSetCursorPosCallback(window, cursorMoved);
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { stateOf(w).happened = true; });
     glfwSetMouseButtonCallback(window, buttonChanged);
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { stateOf(w).happened = true; });
@@ -235,9 +252,7 @@ void Window::beginFrame()
     renewFonts(*state_, scale(), pixelsPerPoint());
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    // A press counts where it happened, even if the hand has moved on before this frame.
-    if (const auto pressedAt = std::exchange(state_->pressedAt, std::nullopt))
-        ImGui::GetIO().MousePos = *pressedAt;
+    placeMouse(*state_);
     ImGui::NewFrame();
 }
 
