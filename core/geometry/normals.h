@@ -2,8 +2,8 @@
 // the faces around the vertex up to creases.
 //
 // This works on flat arrays rather than on the half-edge structure of topology.h: building that takes longer than all
-// the smoothing (0.8 s against 0.6 s for a million triangles), and it cannot hold edges with three triangles, which must
-// be shaded all the same.
+// the smoothing (0.8 s against 0.6 s for a million triangles), and it cannot hold edges with three triangles, which
+// must be shaded all the same.
 #pragma once
 
 #include "core/geometry/triangle_list.h"
