@@ -3,6 +3,8 @@
 
 #include "core/illumination/light.h"
 
+#include <cstddef>
+
 namespace reflectance::explorer {
 
 struct LightAngles {
@@ -15,6 +17,9 @@ struct LightAngles {
 
 /// At elevation +-90 the azimuth survives: the cosine of a right angle in double is 6e-17, not 0.
 [[nodiscard]] Vec3d vectorOf(const LightAngles& angles);
+
+/// The unit vector whose component `axis` (0, 1, 2) is `value`, within -1 .. 1, and whose others keep their ratio.
+[[nodiscard]] Vec3d withComponent(const Vec3d& unit, std::size_t axis, double value);
 
 /// Largest channel of the intensity; the colour is what is left of it: intensity = strength * tint.
 [[nodiscard]] double strengthOf(const Vec3d& intensity);

@@ -80,24 +80,23 @@ bool drawAngles(LightAngles& angles, const LightAngles& initial, bool withDistan
     return changed;
 }
 
-bool drawComponents(const char* symbol, const char* label, const char* about, double range, Vec3d& v,
-                    const Vec3d& initial, std::optional<Message>& message)
+constexpr std::array<double Vec3d::*, 3> components = {&Vec3d::x, &Vec3d::y, &Vec3d::z};
+
+/// One slider for each of x, y and z, made after the pattern. Returns which one changed, or -1.
+int drawComponents(const NumberRow& pattern, Vec3d& v, const Vec3d& initial, std::optional<Message>& message)
 {
     constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
-    constexpr std::array<double Vec3d::*, 3> members = {&Vec3d::x, &Vec3d::y, &Vec3d::z};
-    rowLabel(symbol, label);
+    rowLabel(pattern.symbol, pattern.label);
     const float gap = points(4);
     const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-    bool changed = false;
+    int changed = -1;
     for (std::size_t i = 0; i < 3; ++i) {
-        NumberRow row;
+        NumberRow row = pattern;
         row.name = axes[i];
-        row.label = std::string(label) + " " + axes[i];
-        row.about = about;
-        row.sliderMin = -range;
-        row.sliderMax = range;
-        row.initial = initial.*members[i];
-        changed |= numberField(row, v.*members[i], width, message);
+        row.label += std::string(" ") + axes[i];
+        row.initial = initial.*components[i];
+        if (numberField(row, v.*components[i], width, message))
+            changed = static_cast<int>(i);
         if (i < 2)
             ImGui::SameLine(0, gap);
     }
@@ -117,20 +116,28 @@ void drawPlace(Light& light, std::optional<Message>& message)
 
 void drawDirection(Light& light, std::optional<Message>& message)
 {
-    Vec3d typed = normalized(light.direction);
-    if (!drawComponents("L", "Direction", "To the light; kept at length 1. It cannot be (0, 0, 0).", 1.0, typed,
-                        normalized(freshLight().direction), message))
-        return;
-    if (typed == Vec3d())
-        message = Message{"A direction cannot be (0, 0, 0); give one of x, y, z another value first", true};
-    else
-        light.direction = typed;
+    NumberRow pattern;
+    pattern.symbol = "L";
+    pattern.label = "Direction";
+    pattern.about = "To the light, of length 1: the other two components follow in their ratio.";
+    pattern.sliderMin = pattern.legalMin = -1.0;
+    pattern.sliderMax = pattern.legalMax = 1.0;
+    const Vec3d unit = normalized(light.direction);
+    Vec3d edited = unit;
+    const int axis = drawComponents(pattern, edited, normalized(freshLight().direction), message);
+    if (axis >= 0)
+        light.direction =
+            withComponent(unit, static_cast<std::size_t>(axis), edited.*components[static_cast<std::size_t>(axis)]);
 }
 
 void drawPosition(Light& light, std::optional<Message>& message)
 {
-    drawComponents("", "Position", "Where the light stands; the object's bounding sphere has radius 1.", 4.0,
-                   light.position, freshLight().position, message);
+    NumberRow pattern;
+    pattern.label = "Position";
+    pattern.about = "Where the light stands; the object's bounding sphere has radius 1.";
+    pattern.sliderMin = -4.0;
+    pattern.sliderMax = 4.0;
+    drawComponents(pattern, light.position, freshLight().position, message);
 }
 
 /// The tint survives strength 0, although intensity = strength * tint does not.

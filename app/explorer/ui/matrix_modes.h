@@ -1,4 +1,5 @@
-// The colour matrix K as one number, as a diagonal, or in full: which mode a matrix is in, and changing it without loss.
+// The colour matrix K as one number, as a diagonal, or in full: which mode a matrix is in, and changing it without
+// loss.
 // Matrices are nine numbers, row by row: row i is what sensor i sees of each light primary.
 #pragma once
 

@@ -1,5 +1,6 @@
 // The one control for numbers: symbol, label, and a slider whose well shows value and range. Drag to change,
-// double-click for the default, Ctrl+click to type; what is typed may lie beyond the slider but not beyond the legal range.
+// double-click for the default, Ctrl+click to type; what is typed may lie beyond the slider but not
+// beyond the legal range.
 #pragma once
 
 #include "app/explorer/state.h"

@@ -31,6 +31,25 @@ TEST(LightAngles, AzimuthOutlivesTheZenith)
     EXPECT_DOUBLE_EQ(anglesOf(top).elevation, 90.0);
 }
 
+TEST(LightAngles, OneComponentLeavesTheRatioOfTheOthers)
+{
+    const Vec3d unit = normalized(Vec3d(0.2, 0.6, 0.3));
+    const Vec3d edited = withComponent(unit, 0, 0.5);
+    EXPECT_EQ(edited.x, 0.5);
+    EXPECT_NEAR(edited.y / edited.z, 2.0, 1e-14); // a few roundings
+    EXPECT_NEAR(length(edited), 1.0, 1e-15);
+}
+
+TEST(LightAngles, TheOthersComeBackWhenOneLeavesTheEndOfItsRange)
+{
+    const Vec3d unit = normalized(Vec3d(0.2, 0.6, 0.3));
+    const Vec3d there = withComponent(unit, 1, 1.0);
+    EXPECT_NEAR(length(there), 1.0, 1e-15);
+    const Vec3d back = withComponent(there, 1, unit.y);
+    EXPECT_NEAR(length(back - unit), 0.0, 1e-14); // a few roundings
+    EXPECT_NEAR(length(withComponent({0, 1, 0}, 1, 0.6)), 1.0, 1e-15) << "from the axis itself";
+}
+
 TEST(LightAngles, SplitIntensityIntoStrengthAndTint)
 {
     EXPECT_EQ(strengthOf({0.5, 2.0, 1.0}), 2.0);

@@ -1,4 +1,5 @@
-// All panels for every model, drawn into nothing: untouched values stay, every control has its own identity and a tooltip.
+// All panels for every model, drawn into nothing: untouched values stay, every control has its own identity
+// and a tooltip.
 #include "app/explorer/ui/ui.h"
 #include "tests/app/ui/sweep.h"
 

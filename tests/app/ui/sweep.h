@@ -1,5 +1,5 @@
-// Moves the mouse over a grid of points and notes what is under it: two controls with one identity, and controls without
-// a tooltip, are faults that no single picture shows.
+// Moves the mouse over a grid of points and notes what is under it: two controls with one identity, and controls
+// without a tooltip, are faults that no single picture shows.
 #pragma once
 
 #include "tests/app/ui/stage.h"
