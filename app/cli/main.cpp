@@ -2,7 +2,7 @@
 #include "app/cli/scene_options.h"
 #include "app/cli/verbs.h"
 #include "app/explorer/explorer.h"
-#include "core/render/render_picture.h"
+#include "core/render/pictures/render_picture.h"
 #include "core/sensor/picture.h"
 
 #include <CLI/CLI.hpp>

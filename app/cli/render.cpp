@@ -6,7 +6,7 @@
 #include "core/image/compare.h"
 #include "core/image/picture_file.h"
 #include "core/reflectance/kernel_tables.h"
-#include "core/render/render_picture.h"
+#include "core/render/pictures/render_picture.h"
 #include "core/scene/requirements.h"
 #include "core/sensor/picture.h"
 

@@ -1,12 +1,13 @@
 // Golden views: each scene file in views/ has a picture in goldens/ that the double CPU renderer made (see
 // update_goldens). Every renderer must still draw it.
 #include "core/image/picture_file.h"
-#include "core/render/render_picture.h"
+#include "core/render/pictures/render_picture.h"
 #include "core/scene/scene_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <ostream>
 
 namespace reflectance {
 namespace {
@@ -30,6 +31,12 @@ const Way ways[] = {
     {"gl_osmesa", {Backend::Gl, Precision::Double, ContextKind::OsMesa}, 2e-3},
     {"gl_egl", {Backend::Gl, Precision::Double, ContextKind::Egl}, 2e-3},
 };
+/// Names the way in test listings.
+void PrintTo(const Way& way, std::ostream* out)
+{
+    *out << way.name;
+}
+
 const char* const views[] = {"clay_mug", "chrome_teapot", "glossy_knot", "matte_vase", "coloured_cube", "sharp_sphere"};
 
 std::string fileOf(const char* folder, const std::string& name)

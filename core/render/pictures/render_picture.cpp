@@ -1,4 +1,4 @@
-#include "core/render/render_picture.h"
+#include "core/render/pictures/render_picture.h"
 
 #include "core/reflectance/kernel_tables.h"
 #include "core/render/cpu/cpu_renderer.h"
