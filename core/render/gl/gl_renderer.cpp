@@ -27,8 +27,9 @@ struct ViewInputs {
 /// The state that the passes rely on; a window's own drawing may have left anything.
 void prepareState(const Gl& gl)
 {
-    for (const GLenum feature : {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER,
-                                 GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD})
+    constexpr GLenum features[] = {GL_BLEND,  GL_SCISSOR_TEST,     GL_STENCIL_TEST,      GL_CULL_FACE, GL_DEPTH_TEST,
+                                   GL_DITHER, GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD};
+    for (const GLenum feature : features)
         gl.Disable(feature);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
