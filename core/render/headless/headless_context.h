@@ -15,7 +15,8 @@ using GetProcAddress = GlFunction (*)(const char* name);
 
 enum class ContextKind { Any, OsMesa, Egl };
 
-/// Owns a current GL 3.3 core (or later) context.
+/// Owns a GL 3.3 core (or later) context, current since it was opened. Several may live in one process, of either kind;
+/// after using, opening or closing another one (or a window's), makeCurrent() comes first.
 class HeadlessContext {
 public:
     virtual ~HeadlessContext() = default;
