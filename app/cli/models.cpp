@@ -64,6 +64,9 @@ nlohmann::ordered_json described(const ModelText& model)
     nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
     for (const Parameter& p : model.parameters)
         parameters.push_back(described(p));
+    nlohmann::ordered_json limits = nlohmann::ordered_json::array();
+    for (const DeclaredLimit& limit : model.becomes)
+        limits.push_back({{"model", limit.model}, {"where", limit.where}});
     return {{"id", model.id},
             {"name", model.name},
             {"formula", model.formula},
@@ -71,15 +74,26 @@ nlohmann::ordered_json described(const ModelText& model)
             {"about", model.about},
             {"reciprocal", {{"holds", model.reciprocal.holds}, {"declared", model.reciprocal.reason}}},
             {"passive", {{"holds", model.passive.holds}, {"declared", model.passive.reason}}},
+            {"becomes", limits},
             {"sees_environment", model.usesEnvironment},
             {"sees_light_size", model.usesLightSize},
             {"parameters", parameters}};
 }
 
+/// "HEAD lambert_color where ks=0, phong where K=0"; nothing for a model that becomes no other.
+std::string limitsText(const ModelText& model, std::string_view head)
+{
+    std::vector<std::string> limits;
+    for (const DeclaredLimit& limit : model.becomes)
+        limits.push_back(limit.model + " where " + limit.where);
+    return limits.empty() ? std::string() : std::string(head) + joined(limits);
+}
+
 void printText(const ModelText& model)
 {
     std::cout << model.id << "  -  " << model.name << "\n    " << model.formula << "\n    " << model.citation
-              << "\n    reciprocal: " << model.reciprocal.reason << "\n    passive: " << model.passive.reason << '\n';
+              << "\n    reciprocal: " << model.reciprocal.reason << "\n    passive: " << model.passive.reason
+              << limitsText(model, "\n    becomes: ") << '\n';
     for (const Parameter& p : model.parameters)
         std::cout << "    --set " << p.name << "=...  " << p.label << " (" << kindName(p.kind) << "), "
                   << rangeText(p.legalMin, p.legalMax) << ", default " << numbersText(p.initial) << '\n';
@@ -91,7 +105,7 @@ void printMarkdown(const ModelText& model)
     std::cout << "\n## " << model.name << " (`" << model.id << "`)\n\n    " << model.formula << "\n\n"
               << model.about << "\n\n- Source: " << model.citation << "\n- Reciprocal: " << model.reciprocal.reason
               << "\n- Passive: " << model.passive.reason
-              << "\n- Sees the environment: " << (model.usesEnvironment ? "yes" : "no")
+              << limitsText(model, "\n- Becomes: ") << "\n- Sees the environment: " << (model.usesEnvironment ? "yes" : "no")
               << "; sees the size of lights: " << (model.usesLightSize ? "yes" : "no")
               << "\n\n| parameter | meaning | kind | default | slider | legal | unit | source |\n"
                  "| --- | --- | --- | --- | --- | --- | --- | --- |\n";

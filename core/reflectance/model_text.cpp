@@ -97,8 +97,22 @@ private:
             model_.reciprocal = parseProperty(value);
         else if (key == "passive")
             model_.passive = parseProperty(value);
+        else if (key == "becomes")
+            return readLimit(value);
         else
             return failed("unknown key //! " + std::string(key));
+        return true;
+    }
+
+    /// "lambert_color where ks=0"
+    bool readLimit(std::string_view value)
+    {
+        const auto pieces = words(value);
+        if (pieces.size() != 3 || pieces[1] != "where" || pieces[2].find('=') == std::string_view::npos)
+            return failed("expected: becomes MODEL where NAME=VALUE;NAME=VALUE without blanks between");
+        if (!findEarlier(pieces[0]))
+            return failed("becomes names no earlier model: " + std::string(pieces[0]));
+        model_.becomes.push_back({std::string(pieces[0]), std::string(pieces[2])});
         return true;
     }
 
@@ -206,8 +220,8 @@ private:
 
     bool describeLike(std::string_view id, Parameter& parameter)
     {
-        const auto other = std::find_if(earlier_.begin(), earlier_.end(), [&](const ModelText& m) { return m.id == id; });
-        const Parameter* twin = other == earlier_.end() ? nullptr : other->find(parameter.name);
+        const ModelText* other = findEarlier(id);
+        const Parameter* twin = other ? other->find(parameter.name) : nullptr;
         if (!twin || twin->kind != parameter.kind)
             return failed("no earlier model " + std::string(id) + " with a parameter " + parameter.name);
         Parameter described = *twin;
@@ -215,6 +229,13 @@ private:
         described.offset = parameter.offset;
         parameter = std::move(described);
         return true;
+    }
+
+    [[nodiscard]] const ModelText* findEarlier(std::string_view id) const
+    {
+        const auto named = [id](const ModelText& m) { return m.id == id; };
+        const auto found = std::find_if(earlier_.begin(), earlier_.end(), named);
+        return found == earlier_.end() ? nullptr : &*found;
     }
 
     bool failed(std::string problem)

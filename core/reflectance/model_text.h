@@ -17,6 +17,12 @@ struct DeclaredProperty {
     std::string reason;
 };
 
+/// Another model that this one turns into for some values of its parameters.
+struct DeclaredLimit {
+    std::string model; ///< id of an earlier model
+    std::string where; ///< "ks=0" or "K=kd", assignments separated by ";"; a name on the right is the other's parameter
+};
+
 /// Everything that stands in shaders/reflectance/<id>.glsl.
 struct ModelText {
     std::string id;       ///< file name without ending
@@ -26,6 +32,7 @@ struct ModelText {
     std::string about;    ///< one paragraph for people
     DeclaredProperty reciprocal;
     DeclaredProperty passive;
+    std::vector<DeclaredLimit> becomes;
     std::vector<Parameter> parameters;
     bool usesEnvironment = false; ///< defines shadeEnvironment(N, V)
     bool usesLightSize = false;   ///< calls insideLight(R, V)

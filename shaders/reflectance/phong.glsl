@@ -3,7 +3,7 @@
 //! citation  Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975
 //! about     A glossy highlight alone: brightest where you look along the mirrored light R, fading with the n-th power of the cosine. The highlight keeps the light's colour.
 //! reciprocal no: the factor lacks the cosine, so exchanging light and viewer changes the BRDF
-//! passive   no: small n reflects more than it receives at grazing light
+//! passive   no: the factor lacks the cosine, so near grazing light every highlight returns more than arrives, a broad one first
 
 uniform float ks = 0.5;
 //: label    Specular strength

@@ -61,6 +61,16 @@ TEST(ModelText, TakesADescriptionOverFromAnEarlierModel)
     EXPECT_EQ(model->parameters[0].initial, std::vector<double>{0.75});
 }
 
+TEST(ModelText, DeclaresWhereItBecomesAnEarlierModel)
+{
+    const std::vector<ModelText> earlier{*parseModelText("example", good, {})};
+    const auto model = parseModelText("second", std::string("//! becomes example where b=0;K=a\n") + good, earlier);
+    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_EQ(model->becomes.size(), 1U);
+    EXPECT_EQ(model->becomes[0].model, "example");
+    EXPECT_EQ(model->becomes[0].where, "b=0;K=a");
+}
+
 struct BadText {
     const char* text;
     const char* sentence;
@@ -79,6 +89,9 @@ INSTANTIATE_TEST_SUITE_P(
     ModelText, BadTexts,
     testing::Values(BadText{"", "defines no vec3 shade"}, BadText{"//! nam x\n", "bad.glsl:1: unknown key //! nam"},
                     BadText{"\n//: label x\n", "bad.glsl:2: //: describes a uniform"},
+                    BadText{"//! becomes lambert if ks=0\n", "bad.glsl:1: expected: becomes MODEL where"},
+                    BadText{"//! becomes lambert where ks\n", "bad.glsl:1: expected: becomes MODEL where"},
+                    BadText{"//! becomes lambrt where ks=0\n", "no earlier model: lambrt"},
                     BadText{"uniform float a;\n", "bad.glsl:1: expected: uniform TYPE NAME = DEFAULT;"},
                     BadText{"uniform int a = 1;\n", "a float, a vec3 or a mat3"},
                     BadText{"uniform float a = x;\n", "default is not a number: x"},
