@@ -141,13 +141,12 @@ void drawPosition(Light& light, std::optional<Message>& message)
 }
 
 /// The tint survives strength 0, although intensity = strength * tint does not.
-Vec3d tintToEdit(const Light& light, int index, PanelMemory& memory)
+Vec3d& tintToEdit(const Light& light, int index, PanelMemory& memory)
 {
-    if (strengthOf(light.intensity) > 0.0) {
+    if (strengthOf(light.intensity) > 0.0 || memory.tintOf != index)
         memory.tint = tintOf(light.intensity);
-        memory.tintOf = index;
-    }
-    return memory.tintOf == index ? memory.tint : Vec3d(1.0);
+    memory.tintOf = index;
+    return memory.tint;
 }
 
 void drawStrength(Light& light, const Vec3d& tint, std::optional<Message>& message)
@@ -169,7 +168,7 @@ void drawStrength(Light& light, const Vec3d& tint, std::optional<Message>& messa
 }
 
 /// The picker works on encoded values, as the eye compares; the light keeps linear ones.
-void drawTint(Light& light, const Vec3d& tint)
+void drawTint(Light& light, Vec3d& tint)
 {
     rowLabel("", "Colour");
     float encoded[3] = {static_cast<float>(encodeSrgb(tint.x)), static_cast<float>(encodeSrgb(tint.y)),
@@ -179,8 +178,9 @@ void drawTint(Light& light, const Vec3d& tint)
                               ImGuiColorEditFlags_NoTooltip)) {
         const Vec3d picked(decodeSrgb(static_cast<double>(encoded[0])), decodeSrgb(static_cast<double>(encoded[1])),
                            decodeSrgb(static_cast<double>(encoded[2])));
-        if (strengthOf(picked) > 0.0)
-            light.intensity = tintOf(picked) * strengthOf(light.intensity);
+        if (strengthOf(picked) > 0.0) // black is no tint; the intensity makes a light dark
+            tint = tintOf(picked);
+        light.intensity = tint * strengthOf(light.intensity);
     }
     tooltip("Colour of the light at its intensity: red, green, blue as sRGB codes. I = (" +
             general(light.intensity.x, 4) + ", " + general(light.intensity.y, 4) + ", " +
@@ -226,7 +226,7 @@ void drawLightEditor(ExplorerState& state)
     Light& light = state.scene.lights[static_cast<std::size_t>(index)];
     ImGui::PushID("light editor");
     ImGui::PushID(index);
-    const Vec3d tint = tintToEdit(light, index, state.panels);
+    Vec3d& tint = tintToEdit(light, index, state.panels);
     drawStrength(light, tint, state.message);
     drawTint(light, tint);
     drawPlace(light, state.message);
