@@ -77,6 +77,9 @@ void pressAlone(const KeyPress& key, ExplorerState& state)
 
 void press(const KeyPress& key, ExplorerState& state)
 {
+    const bool isCharacter = key.key.size() == 1;
+    if (state.showFileBrowser && isCharacter)
+        return; // the dialog has the keyboard
     if (key.control)
         pressWithControl(key.key, state);
     else

@@ -1,12 +1,10 @@
 #include "app/explorer/window.h"
 
 #include "app/explorer/ui/ui.h"
+#include "app/explorer/window_state.h"
 
-#define GLFW_INCLUDE_GLCOREARB
-#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <atomic>
@@ -17,26 +15,7 @@ namespace reflectance::explorer {
 namespace {
 
 std::string lastGlfwError;
-
-std::string namedKey(int key)
-{
-    switch (key) {
-    case GLFW_KEY_ESCAPE: return "Esc";
-    case GLFW_KEY_F1: return "F1";
-    case GLFW_KEY_F12: return "F12";
-    default: return {};
-    }
-}
-
-/// The key's character on the user's layout, else its name.
-std::string keyName(int key, int scancode)
-{
-    const std::string named = namedKey(key);
-    if (!named.empty())
-        return named;
-    const char* character = glfwGetKeyName(key, scancode);
-    return character ? character : "";
-}
+std::atomic<bool> woken{false};
 
 float monitorScale(GLFWwindow* window)
 {
@@ -62,6 +41,20 @@ void setHints()
 #endif
 }
 
+/// Fonts are made for the monitor's pixels and shown in points.
+void renewFonts(WindowState& state, float scale, float pixelsPerPoint)
+{
+    const float wanted = scale * pixelsPerPoint;
+    if (wanted == state.fontScale)
+        return;
+    state.fontScale = wanted;
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui::GetIO().Fonts->Clear();
+    loadFonts(wanted);
+    ImGui::GetIO().FontGlobalScale = 1.0F / pixelsPerPoint;
+    applyTheme(scale);
+}
+
 } // namespace
 
 std::optional<Desktop> Desktop::connect()
@@ -80,117 +73,16 @@ Desktop::~Desktop()
         glfwTerminate();
 }
 
-struct WindowState {
-    GLFWwindow* window = nullptr;
-    ImGuiContext* gui = nullptr;
-    Events events;
-    std::string title;
-    ImVec2 cursor;                    ///< as of the last event: glfwGetCursorPos asks for the present, which is later
-    std::optional<ImVec2> pressedAt;  ///< the first press of a mouse button that no frame has seen
-    std::optional<ImVec2> releasedAt; ///< the last release that no frame has seen
-    bool happened = false;
-    bool shown = false;
-    float chosenScale = 0.0F; ///< 0: the monitor's
-    float fontScale = 0.0F;   ///< the scale that the fonts were made for
-
-    WindowState() = default;
-    WindowState(const WindowState&) = delete;
-    WindowState& operator=(const WindowState&) = delete;
-    ~WindowState()
-    {
-        if (gui) {
-            ImGui_ImplOpenGL3_Shutdown();
-            ImGui_ImplGlfw_Shutdown();
-            ImGui::DestroyContext(gui);
-        }
-        if (window)
-            glfwDestroyWindow(window);
+WindowState::~WindowState()
+{
+    if (gui) {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext(gui);
     }
-};
-
-namespace {
-
-std::atomic<bool> woken{false};
-
-WindowState& stateOf(GLFWwindow* window)
-{
-    return *static_cast<WindowState*>(glfwGetWindowUserPointer(window));
+    if (window)
+        glfwDestroyWindow(window);
 }
-
-void keyPressed(GLFWwindow* window, int key, int scancode, int action, int modifiers)
-{
-    stateOf(window).happened = true;
-    const bool control = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
-    const bool typing = ImGui::GetIO().WantTextInput && !control && namedKey(key).empty();
-    if (action != GLFW_PRESS || typing || (modifiers & GLFW_MOD_ALT) != 0)
-        return;
-    if (std::string name = keyName(key, scancode); !name.empty())
-        stateOf(window).events.keys.push_back({std::move(name), control, (modifiers & GLFW_MOD_SHIFT) != 0});
-}
-
-void filesDropped(GLFWwindow* window, int count, const char** paths)
-{
-    stateOf(window).happened = true;
-    stateOf(window).events.dropped.assign(paths, paths + count);
-}
-
-void cursorMoved(GLFWwindow* window, double x, double y)
-{
-    stateOf(window).happened = true;
-    stateOf(window).cursor = {static_cast<float>(x), static_cast<float>(y)};
-}
-
-void buttonChanged(GLFWwindow* window, int, int action, int)
-{
-    WindowState& state = stateOf(window);
-    state.happened = true;
-    if (action == GLFW_RELEASE)
-        state.releasedAt = state.cursor;
-    else if (!state.pressedAt)
-        state.pressedAt = state.cursor;
-}
-
-/// A press and a release count where they happened, even if the hand has moved on before the frame that sees them.
-void placeMouse(WindowState& state)
-{
-    if (const auto pressedAt = std::exchange(state.pressedAt, std::nullopt))
-        ImGui::GetIO().MousePos = *pressedAt;
-    else if (const auto releasedAt = std::exchange(state.releasedAt, std::nullopt))
-        ImGui::GetIO().MousePos = *releasedAt;
-}
-
-/// Notes that something happened; ImGui's back end calls these and then does its own part.
-void installCallbacks(GLFWwindow* window)
-{
-    glfwSetKeyCallback(window, keyPressed);
-    glfwSetDropCallback(window, filesDropped);
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { stateOf(w).happened = true; });
-    glfwSetCursorPosCallback(window, cursorMoved);
-    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { stateOf(w).happened = true; });
-    glfwSetMouseButtonCallback(window, buttonChanged);
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { stateOf(w).happened = true; });
-    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { stateOf(w).happened = true; });
-    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { stateOf(w).happened = true; });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { stateOf(w).happened = true; });
-    glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { stateOf(w).happened = true; });
-    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { stateOf(w).happened = true; });
-}
-
-/// Fonts are made for the monitor's pixels and shown in points.
-void renewFonts(WindowState& state, float scale, float pixelsPerPoint)
-{
-    const float wanted = scale * pixelsPerPoint;
-    if (wanted == state.fontScale)
-        return;
-    state.fontScale = wanted;
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui::GetIO().Fonts->Clear();
-    loadFonts(wanted);
-    ImGui::GetIO().FontGlobalScale = 1.0F / pixelsPerPoint;
-    applyTheme(scale);
-}
-
-} // namespace
 
 Window::Window(std::unique_ptr<WindowState> state) : state_(std::move(state)) {}
 Window::Window(Window&&) noexcept = default;
@@ -209,11 +101,12 @@ Result<Window> Window::open(int width, int height, float scale)
     glfwSetWindowUserPointer(state->window, state.get());
     glfwMakeContextCurrent(state->window);
     glfwSwapInterval(1);
-    installCallbacks(state->window);
+    noteEvents(state->window);
 
     state->gui = ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // the preferences hold what is kept
     ImGui_ImplGlfw_InitForOpenGL(state->window, true);
+    takeKeys(state->window);
     if (!ImGui_ImplOpenGL3_Init("#version 330 core"))
         return Error{"the interface could not be drawn with this OpenGL driver; try LIBGL_ALWAYS_SOFTWARE=1"};
     return Window(std::move(state));
@@ -260,6 +153,7 @@ void Window::drawFrame()
 {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    releaseKeys(*state_);
 }
 
 void Window::showFrame()

@@ -93,6 +93,20 @@ TEST(Keys, EscapeClosesWhatLiesOnTop)
     EXPECT_FALSE(state.message);
 }
 
+TEST(Keys, LeaveTheSceneAloneWhileAFileIsChosen)
+{
+    ExplorerState state = stateWithLights(2);
+    state.showFileBrowser = true;
+    const std::string model = state.scene.surface.model;
+    for (const char* key : {"m", "2", "t"})
+        press({key}, state);
+    EXPECT_EQ(state.scene.surface.model, model);
+    EXPECT_EQ(state.selectedLight, 0);
+    EXPECT_FALSE(state.turntable);
+    press({"Esc"}, state);
+    EXPECT_FALSE(state.showFileBrowser);
+}
+
 TEST(Keys, WithoutMeaningChangeNothing)
 {
     ExplorerState state = stateWithLights(2);

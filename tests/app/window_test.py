@@ -93,6 +93,16 @@ class Explorer:
         wait_for(lambda: True if scene_file.stat().st_ino != before else None, "Ctrl+S saves the scene")
         return json.loads(scene_file.read_text())
 
+    def open_by_typing(self, mesh_file):
+        """Opens a mesh through the file browser, by keyboard alone."""
+        mesh_file.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.xdotool("key", "ctrl+o")
+        time.sleep(0.5)  # until the text field has the keyboard
+        self.xdotool("type", str(mesh_file))
+        self.xdotool("key", "Return")
+        self.mesh = mesh_file.stem
+        wait_for(self.window, "the file browser opens a typed path")
+
     def drag(self, start, stroke):
         self.xdotool("mousemove", *start)
         self.xdotool("mousedown", 1)
@@ -131,6 +141,7 @@ def drags_a_light(program, brightest, display, home):
         idle = highlight(brightest, explorer.file_after("F12", ".png"))
         check(idle == after, "without a stroke it stays: the check above can fail")
         explorer.file_after("ctrl+F12", ".png")
+        explorer.open_by_typing(scene_file.with_name("triangle.obj"))
         explorer.quit()
         check((home / "config/reflectance/preferences.json").exists(), "the preferences are kept")
     finally:
