@@ -52,7 +52,8 @@ void drawSplitter(ExplorerState& state, const Area& area, float windowWidth, flo
     }
     const float middle = std::round(area.x + 0.5F * area.width);
     const ImU32 color = ImGui::GetColorU32(touched ? ImGuiCol_SeparatorHovered : ImGuiCol_Separator);
-    ImGui::GetWindowDrawList()->AddLine({middle, area.y}, {middle, area.bottom()}, color, touched ? 2.0F * scale : 1.0F);
+    ImGui::GetWindowDrawList()->AddLine({middle, area.y}, {middle, area.bottom()}, color,
+                                        touched ? 2.0F * scale : 1.0F);
     ImGui::End();
 }
 
@@ -92,7 +93,8 @@ void saveAskedWindowPicture(Session& session)
     const std::optional<std::string> path = std::exchange(session.windowPicture, std::nullopt);
     if (!path)
         return;
-    const Result<std::string> saved = saveWindowPicture(session.state, session.window.framebuffer(), Window::loader(), *path);
+    const Result<std::string> saved =
+        saveWindowPicture(session.state, session.window.framebuffer(), Window::loader(), *path);
     session.state.message = saved ? Message{"Window saved: " + *saved, false} : Message{saved.error().sentence(), true};
 }
 
@@ -128,8 +130,8 @@ Reasons reasonsOf(const Session& session)
         .animating = session.state.turntable || session.windowPicture.has_value(),
         .loading = session.state.loading.has_value() || !session.toOpen.empty(),
         .drawSoon = session.state.drawSoon,
-        .untilRefined = refine ? std::chrono::duration<double>(untilRefined).count()
-                               : std::numeric_limits<double>::infinity(),
+        .untilRefined =
+            refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),
         .untilPrices = secondsUntilPrices(session),
     };
 }

@@ -50,7 +50,10 @@ struct FileLoader::Job {
     std::future<Result<Content>> future = promise.get_future();
     std::jthread thread; // last: joined before what it uses goes
 
-    [[nodiscard]] bool hasEnded() const { return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+    [[nodiscard]] bool hasEnded() const
+    {
+        return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    }
 };
 
 FileLoader::FileLoader(std::function<void()> wake) : wake_(std::move(wake)) {}

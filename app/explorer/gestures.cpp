@@ -234,9 +234,12 @@ Light lightOf(const Stroke& stroke, ViewSize size, Cursor cursor)
     case Stroke::Kind::HoldLight:
         return heldAt(stroke.lightBefore, stroke.farHalf, stroke.cameraBefore, size,
                       {cursor.x + stroke.grip.x, cursor.y + stroke.grip.y});
-    case Stroke::Kind::RollLight: return rolled(stroke.lightBefore, stroke.cameraBefore, size, dx, dy);
-    case Stroke::Kind::ReachLight: return reached(stroke.lightBefore, dy);
-    default: return stroke.lightBefore;
+    case Stroke::Kind::RollLight:
+        return rolled(stroke.lightBefore, stroke.cameraBefore, size, dx, dy);
+    case Stroke::Kind::ReachLight:
+        return reached(stroke.lightBefore, dy);
+    default:
+        return stroke.lightBefore;
     }
 }
 

@@ -22,9 +22,9 @@ struct Cursor {
     double y = 0.0;
 };
 
-/// The sphere on which a light's handle moves. A directional light has no place, only a direction, so its sphere may lie
-/// where the hand can reach it: about the camera's target, of radius 1.25 (the object's own is 1) or as large as fits into
-/// the picture. A point light's sphere lies about the object's centre, through the light.
+/// The sphere on which a light's handle moves. A directional light has no place, only a direction, so its sphere may
+/// lie where the hand can reach it: about the camera's target, of radius 1.25 (the object's own is 1) or as large as
+/// fits into the picture. A point light's sphere lies about the object's centre, through the light.
 struct HandleSphere {
     Vec3d centre;
     double radius = 1.25;
@@ -44,10 +44,12 @@ struct HandleView {
 
 /// The light whose handle lies within `reach` pixels of the cursor: the nearest one, near halves before far halves.
 /// -1 where there is none.
-[[nodiscard]] int handleAt(std::span<const Light> lights, const Camera& camera, ViewSize size, Cursor cursor, double reach);
+[[nodiscard]] int handleAt(std::span<const Light> lights, const Camera& camera, ViewSize size, Cursor cursor,
+                           double reach);
 
-/// The light with its handle moved under the cursor, on the sphere that the handle lies on. Beyond the sphere's silhouette it rolls over the edge to the other half, as far inside as the cursor is outside, so the
-/// way out and the way back are the same. `farHalf` says which half the handle was taken from.
+/// The light with its handle moved under the cursor, on the sphere that the handle lies on. Beyond the sphere's
+/// silhouette it rolls over the edge to the other half, as far inside as the cursor is outside, so the way out and the
+/// way back are the same. `farHalf` says which half the handle was taken from.
 [[nodiscard]] Light heldAt(const Light& light, bool farHalf, const Camera& camera, ViewSize size, Cursor cursor);
 
 /// Rolls the sphere of directions under the hand, wherever the hand is (Ctrl+Shift+drag, as in MeshLab): a stroke of
@@ -92,7 +94,7 @@ struct Modifiers {
     bool control = false;
 };
 
-/// What the press of a button starts. `handle` is the light under the cursor (-1 for none), `selected` the selected one.
+/// What the press of a button starts. `handle` is the light under the cursor, `selected` the selected one; -1: none.
 [[nodiscard]] Stroke strokeFrom(MouseButton button, Modifiers modifiers, Cursor cursor, int handle, int selected,
                                 std::span<const Light> lights, const Camera& camera, ViewSize size);
 

@@ -99,7 +99,8 @@ std::vector<Drawn> drawingOrder(const std::vector<Light>& lights, const PictureV
 {
     std::vector<Drawn> order;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        const double depth = projected(camera, handlePoint(lights[i], camera, view.size), view.size.width, view.size.height).z;
+        const Vec3d place = handlePoint(lights[i], camera, view.size);
+        const double depth = projected(camera, place, view.size.width, view.size.height).z;
         if (depth > 0.0)
             order.push_back({i, depth});
     }
@@ -132,7 +133,8 @@ void drawLightHandles(ImDrawList& canvas, const ExplorerState& state, const Pict
         const Style style{onScreen(view, handle.x, handle.y), hueOf(light), strength, view.scale};
         if (light.on)
             drawGlow(canvas, style);
-        const Vec3d centre = projected(camera, handleSphere(light, camera, view.size).centre, view.size.width, view.size.height);
+        const Vec3d middle = handleSphere(light, camera, view.size).centre;
+        const Vec3d centre = projected(camera, middle, view.size.width, view.size.height);
         if (light.on && centre.z > 0.0)
             drawRay(canvas, style, onScreen(view, centre.x, centre.y));
         drawDisc(canvas, style, light.on, marked, index == state.selectedLight);

@@ -59,12 +59,9 @@ Result<Preferences> parsePreferences(std::string_view text, const std::string& f
 std::string preferencesText(const Preferences& preferences)
 {
     const json object{
-        {"windowWidth", preferences.windowWidth},
-        {"windowHeight", preferences.windowHeight},
-        {"panelWidth", preferences.panelWidth},
-        {"interfaceScale", preferences.interfaceScale},
-        {"samplesPerAxis", preferences.samplesPerAxis},
-        {"showLightHandles", preferences.showLightHandles},
+        {"windowWidth", preferences.windowWidth},       {"windowHeight", preferences.windowHeight},
+        {"panelWidth", preferences.panelWidth},         {"interfaceScale", preferences.interfaceScale},
+        {"samplesPerAxis", preferences.samplesPerAxis}, {"showLightHandles", preferences.showLightHandles},
         {"recentFiles", preferences.recentFiles},
     };
     // A file name need not be UTF-8; what is not is replaced rather than refused.

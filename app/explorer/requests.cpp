@@ -71,19 +71,37 @@ void serve(Session& session, const Request& request)
 {
     using Kind = Request::Kind;
     switch (request.kind) {
-    case Kind::OpenFile: session.toOpen.push_back(request.path); break;
-    case Kind::OpenDialog: session.state.showFileBrowser = true; break;
-    case Kind::SaveView: saveView(session, request.path); break;
-    case Kind::SaveWindow: session.windowPicture = request.path; break;
-    case Kind::SaveScene: saveScene(session, request.path); break;
-    case Kind::Frame: frame(session); break;
-    case Kind::ResetView: resetView(session); break;
-    case Kind::ResetScene: resetScene(session); break;
+    case Kind::OpenFile:
+        session.toOpen.push_back(request.path);
+        break;
+    case Kind::OpenDialog:
+        session.state.showFileBrowser = true;
+        break;
+    case Kind::SaveView:
+        saveView(session, request.path);
+        break;
+    case Kind::SaveWindow:
+        session.windowPicture = request.path;
+        break;
+    case Kind::SaveScene:
+        saveScene(session, request.path);
+        break;
+    case Kind::Frame:
+        frame(session);
+        break;
+    case Kind::ResetView:
+        resetView(session);
+        break;
+    case Kind::ResetScene:
+        resetScene(session);
+        break;
     case Kind::CancelLoading:
         session.loader.cancel();
         session.toOpen.clear();
         break;
-    case Kind::Quit: session.quit = true; break;
+    case Kind::Quit:
+        session.quit = true;
+        break;
     }
 }
 
@@ -109,7 +127,7 @@ struct TakeOver {
     {
         session.state.scene.environment = std::move(environment);
         if (!modelOf(session.state.scene).text.usesEnvironment)
-            tell(session, "The environment is loaded; of the models, only those that reflect it show it. M changes the model.");
+            tell(session, "The environment is loaded; only models that reflect it, such as the mirror, show it.");
     }
 };
 

@@ -23,8 +23,8 @@ struct Session {
     FileLoader loader{Window::wake};
     PriceWorker prices{Window::wake};
 
-    std::deque<std::string> toOpen; ///< files that wait for the one being read
-    std::string sceneFile;          ///< the scene file in use; empty where there is none
+    std::deque<std::string> toOpen;           ///< files that wait for the one being read
+    std::string sceneFile;                    ///< the scene file in use; empty where there is none
     std::optional<std::string> windowPicture; ///< where to save the frame being drawn; empty chooses a name
     bool quit = false;
 

@@ -17,18 +17,29 @@ namespace reflectance::explorer {
 /// Things a panel, a key or a menu asks the frame loop to do.
 struct Request {
     enum class Kind {
-        OpenFile, OpenDialog, SaveView, SaveWindow, SaveScene, Frame, ResetView, ResetScene, CancelLoading, Quit
+        OpenFile,
+        OpenDialog,
+        SaveView,
+        SaveWindow,
+        SaveScene,
+        Frame,
+        ResetView,
+        ResetScene,
+        CancelLoading,
+        Quit
     };
     Kind kind;
-    std::string path; ///< OpenFile: a mesh, scene or environment, told apart by its ending; SaveView and SaveWindow: empty chooses a name in the pictures folder
+    /// OpenFile: a mesh, scene or environment, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
+    /// chooses a name in the pictures folder (a scene goes back to the file that it came from).
+    std::string path;
 };
 
 /// Kept between sessions where the desktop's conventions put settings.
 struct Preferences {
     std::deque<std::string> recentFiles; ///< newest first, at most 10
     int windowWidth = 1280, windowHeight = 800;
-    float panelWidth = 360.0F;     ///< of the panels, in points
-    float interfaceScale = 0.0F;   ///< 0: from the monitor
+    float panelWidth = 360.0F;   ///< of the panels, in points
+    float interfaceScale = 0.0F; ///< 0: from the monitor
     int samplesPerAxis = 2;
     bool showLightHandles = true;
 };
@@ -60,8 +71,8 @@ struct ExplorerState {
 
     // What the status line reports.
     double frameMilliseconds = 0.0;
-    std::string renderer;                ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
-    std::vector<PriceTag> priceTags;     ///< of the current scene; empty while being measured
+    std::string renderer;            ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::vector<PriceTag> priceTags; ///< of the current scene; empty while being measured
     bool measuringPrices = false;
     std::optional<SensorCounts> sensorCounts; ///< of the last picture; none where they were not counted
 

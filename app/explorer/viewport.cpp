@@ -64,8 +64,8 @@ void handleMouse(ExplorerState& state, Viewport& viewport)
     if (!hovered)
         return;
     if (state.preferences.showLightHandles)
-        viewport.hoveredLight = handleAt(state.scene.lights, state.scene.camera, viewport.view.size, cursor,
-                                         handleReach(viewport.view));
+        viewport.hoveredLight =
+            handleAt(state.scene.lights, state.scene.camera, viewport.view.size, cursor, handleReach(viewport.view));
     if (ImGui::GetIO().MouseWheel != 0.0F)
         state.scene.camera = zoomedByWheel(state.scene.camera, static_cast<double>(ImGui::GetIO().MouseWheel));
     if (viewport.hoveredLight >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -83,7 +83,8 @@ RenderSettings settingsFor(const ExplorerState& state, Viewport& viewport)
         viewport.shownCamera = state.scene.camera;
         viewport.cameraMoved = now;
     }
-    const bool moving = state.turntable || viewport.stroke.movesCamera() || now - viewport.cameraMoved < restBeforeRefining(viewport);
+    const bool moving =
+        state.turntable || viewport.stroke.movesCamera() || now - viewport.cameraMoved < restBeforeRefining(viewport);
     const bool shading = viewport.stroke.movesLight() || ImGui::IsAnyItemActive();
     const bool coarse = moving || (shading && viewport.fullMilliseconds > smoothMilliseconds);
     viewport.refinementOwed = coarse && state.preferences.samplesPerAxis > 1;
@@ -149,10 +150,12 @@ Clock::duration restBeforeRefining(const Viewport& viewport)
     return std::chrono::duration_cast<Clock::duration>(rest);
 }
 
-void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, const Area& area, float pixelsPerPoint,
-                  float scale)
+void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, const Area& area,
+                  float pixelsPerPoint, float scale)
 {
-    const auto pixels = [pixelsPerPoint](float points) { return std::max(1, static_cast<int>(std::lround(points * pixelsPerPoint))); };
+    const auto pixels = [pixelsPerPoint](float points) {
+        return std::max(1, static_cast<int>(std::lround(points * pixelsPerPoint)));
+    };
     viewport.view = {area.x, area.y, {pixels(area.width), pixels(area.height)}, pixelsPerPoint, scale};
     ImGui::SetCursorScreenPos({area.x, area.y});
     ImGui::SetItemAllowOverlap();

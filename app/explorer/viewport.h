@@ -17,12 +17,12 @@ struct Viewport {
     MouseButton button = MouseButton::Left; ///< that the stroke began with
     int hoveredLight = -1;
 
-    Camera shownCamera;               ///< of the last picture
-    Clock::time_point cameraMoved{};  ///< when it last changed
-    double fullMilliseconds = 0.0;    ///< of the last picture with all its samples
-    RenderSettings settings;          ///< of the last picture
-    std::uint64_t pictures = 0;       ///< how many different ones were drawn
-    bool refinementOwed = false;      ///< the last picture had fewer samples than wanted
+    Camera shownCamera;              ///< of the last picture
+    Clock::time_point cameraMoved{}; ///< when it last changed
+    double fullMilliseconds = 0.0;   ///< of the last picture with all its samples
+    RenderSettings settings;         ///< of the last picture
+    std::uint64_t pictures = 0;      ///< how many different ones were drawn
+    bool refinementOwed = false;     ///< the last picture had fewer samples than wanted
 
     [[nodiscard]] bool dragging() const { return stroke.kind != Stroke::Kind::None; }
 };
@@ -32,8 +32,8 @@ struct Viewport {
 [[nodiscard]] Clock::duration restBeforeRefining(const Viewport& viewport);
 
 /// Draws the picture, the handles and what the hand does, into an ImGui window over `area`.
-void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, const Area& area, float pixelsPerPoint,
-                  float scale);
+void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, const Area& area,
+                  float pixelsPerPoint, float scale);
 
 /// Brings the picture up to date with all its samples, whatever the hand is doing: for saving it.
 [[nodiscard]] Result<void> renderFully(const ExplorerState& state, const Viewport& viewport, GlRenderer& renderer);

@@ -136,7 +136,8 @@ bool Window::closing() const
 
 void Window::setTitle(const std::string& title)
 {
-    if (std::exchange(state_->title, title) != title) // the window manager answers with an event, which would be a frame
+    if (std::exchange(state_->title, title) !=
+        title) // the window manager answers with an event, which would be a frame
         glfwSetWindowTitle(state_->window, title.c_str());
 }
 

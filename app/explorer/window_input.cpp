@@ -11,10 +11,14 @@ namespace {
 std::string namedKey(int key)
 {
     switch (key) {
-    case GLFW_KEY_ESCAPE: return "Esc";
-    case GLFW_KEY_F1: return "F1";
-    case GLFW_KEY_F12: return "F12";
-    default: return {};
+    case GLFW_KEY_ESCAPE:
+        return "Esc";
+    case GLFW_KEY_F1:
+        return "F1";
+    case GLFW_KEY_F12:
+        return "F12";
+    default:
+        return {};
     }
 }
 

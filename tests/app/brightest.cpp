@@ -17,7 +17,8 @@ int main(int argc, char** argv)
     for (std::size_t i = 0; i < image.pixels(); ++i)
         pixels.emplace_back(image.rgb[3 * i] + image.rgb[3 * i + 1] + image.rgb[3 * i + 2], i);
     const std::size_t count = std::max<std::size_t>(1, pixels.size() / 100);
-    std::nth_element(pixels.begin(), pixels.begin() + static_cast<std::ptrdiff_t>(count), pixels.end(), std::greater<>());
+    std::nth_element(pixels.begin(), pixels.begin() + static_cast<std::ptrdiff_t>(count), pixels.end(),
+                     std::greater<>());
     const auto width = static_cast<std::size_t>(image.width);
     double x = 0.0, y = 0.0;
     for (std::size_t i = 0; i < count; ++i) {

@@ -62,7 +62,10 @@ TEST(FileLoader, SaysWhatIsWrongWithAFile)
 TEST(FileLoader, WakesAndHandsOverOnce)
 {
     std::atomic<int> wakes{0};
-    FileLoader loader([&wakes] { ++wakes; wakes.notify_all(); });
+    FileLoader loader([&wakes] {
+        ++wakes;
+        wakes.notify_all();
+    });
     EXPECT_FALSE(loader.take());
     EXPECT_FALSE(loader.progress());
     loader.start("sphere");

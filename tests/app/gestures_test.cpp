@@ -57,7 +57,8 @@ TEST(Handles, FollowTheCursorOnBothHalves)
                 const Light held = heldAt(light, farHalf, camera, size, cursor);
                 EXPECT_LT(missed(held, camera, cursor), underTheCursor);
                 EXPECT_EQ(viewOf(held, camera, size).behind, farHalf);
-                EXPECT_NEAR(length(handlePoint(held, camera, size)), radius, 2e-15); // a few roundings of a length near 1
+                EXPECT_NEAR(length(handlePoint(held, camera, size)), radius,
+                            2e-15); // a few roundings of a length near 1
             }
         }
     }
@@ -80,8 +81,9 @@ TEST(Handles, OfDirectionalLightsNeverLeaveThePicture)
         for (int i = 0; i < 300; ++i) {
             Light light;
             light.direction = {any(random), any(random), any(random)};
-            const Camera camera = zoomed(panned(orbited(Camera(), 3.0 * any(random), any(random)), any(random), any(random)),
-                                         std::exp(2.0 * any(random)));
+            const Camera camera =
+                zoomed(panned(orbited(Camera(), 3.0 * any(random), any(random)), any(random), any(random)),
+                       std::exp(2.0 * any(random)));
             const HandleView handle = viewOf(light, camera, view);
             EXPECT_TRUE(handle.visible);
             EXPECT_TRUE(handle.x > 0.0 && handle.x < view.width && handle.y > 0.0 && handle.y < view.height)
@@ -190,7 +192,8 @@ TEST(CameraDrags, TurnAndMoveTheObjectWithTheHand)
     EXPECT_NEAR(origin.y, 0.5 * size.height - 17.0, 1e-9);
 
     EXPECT_LT(length(zoomedByWheel(camera, 1.0).eye), length(camera.eye));
-    EXPECT_NEAR(length(zoomedByWheel(zoomedByWheel(camera, 3.0), -3.0).eye), length(camera.eye), 1e-14); // roundings near 3
+    EXPECT_NEAR(length(zoomedByWheel(zoomedByWheel(camera, 3.0), -3.0).eye), length(camera.eye),
+                1e-14); // roundings near 3
     EXPECT_NEAR(length(zoomedByDrag(camera, -200.0).eye), 0.5 * length(camera.eye), 1e-14);
 }
 
@@ -235,7 +238,8 @@ TEST(Strokes, ThisSuiteCatchesAMisplacedHandle)
     const Camera camera;
     const Cursor cursor = fromMiddle(120.0, 2.0);
     Light wrong;
-    wrong.direction = normalized(rayThrough(camera, cursor.x, cursor.y, size.width, size.height) + frameOf(camera).back);
+    wrong.direction =
+        normalized(rayThrough(camera, cursor.x, cursor.y, size.width, size.height) + frameOf(camera).back);
     EXPECT_GT(missed(wrong, camera, cursor), underTheCursor);
 }
 

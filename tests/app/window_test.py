@@ -32,7 +32,7 @@ class Display:
     def __enter__(self):
         read, write = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset"],
             pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:
@@ -117,8 +117,8 @@ class Explorer:
 
 
 def highlight(brightest, picture):
-    output = subprocess.run([brightest, str(picture)], capture_output=True, text=True, timeout=PATIENCE, check=True).stdout
-    return tuple(map(float, output.split()))
+    found = subprocess.run([brightest, str(picture)], capture_output=True, text=True, timeout=PATIENCE, check=True)
+    return tuple(map(float, found.stdout.split()))
 
 
 def drags_a_light(program, brightest, display, home):
