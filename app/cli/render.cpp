@@ -36,6 +36,7 @@ Result<RenderPlan> planFrom(const Options& options)
     plan.backend = options.backend == "gl" ? Backend::Gl : options.backend == "cpu" ? Backend::Cpu : Backend::Auto;
     plan.context = contextNamed(options.context);
     plan.frames = options.frames;
+    plan.shading = options.shading == "vertex" ? Shading::Vertex : Shading::Pixel;
     if (options.precision.empty())
         return plan;
     if (options.precision == "glsl")
@@ -141,8 +142,10 @@ void addRender(CLI::App& program, int& exitCode)
     verb->add_option("--context", options->context, "GL context: any, osmesa or egl")
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
         ->capture_default_str();
-    verb->add_option("--shading", options->shading, "where the model is evaluated: pixel")
-        ->check(CLI::IsMember({"pixel"}))
+    verb->add_option(
+            "--shading", options->shading,
+            "where the model is evaluated: pixel (at every sample) or vertex (interpolated over triangles; CPU)")
+        ->check(CLI::IsMember({"pixel", "vertex"}))
         ->capture_default_str();
     verb->add_option("--frames", options->frames, "shade this often and report the median time")
         ->check(CLI::Range(1, 100000))

@@ -2,6 +2,7 @@
 
 #include "core/reflectance/kernel_tables.h"
 #include "core/render/cpu/cpu_renderer.h"
+#include "core/render/cpu/vertex_shading.h"
 #include "core/render/gl/gl_renderer.h"
 
 #include <algorithm>
@@ -43,10 +44,13 @@ Rendered renderByCpu(const Scene& scene, const RenderSettings& settings, const R
     const Clock::time_point start = Clock::now();
     const auto rays = makeRayScene(scene.mesh);
     const ViewSamples samples = sampleView(*rays, scene.camera, settings);
-    rendered.image = shadeSamples(samples, scene, plan.precision);
+    const auto shade = [&] {
+        rendered.image = plan.shading == Shading::Vertex ? shadePerVertex(samples, scene, plan.precision)
+                                                         : shadeSamples(samples, scene, plan.precision);
+    };
+    shade();
     rendered.firstFrameMilliseconds = millisecondsSince(start);
-    rendered.shadingMilliseconds =
-        medianMilliseconds(plan.frames - 1, [&] { rendered.image = shadeSamples(samples, scene, plan.precision); });
+    rendered.shadingMilliseconds = medianMilliseconds(plan.frames - 1, shade);
     return rendered;
 }
 
@@ -80,7 +84,9 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
 
 Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
 {
-    if (plan.backend == Backend::Cpu)
+    if (plan.shading == Shading::Vertex && plan.backend == Backend::Gl)
+        return Error{"shading per vertex belongs to the CPU renderer; leave the GL backend out, or shade per pixel"};
+    if (plan.backend == Backend::Cpu || plan.shading == Shading::Vertex)
         return renderByCpu(scene, settings, plan);
     auto context = openHeadless(plan.context);
     if (context)

@@ -14,9 +14,13 @@ namespace reflectance {
 
 enum class Backend { Auto, Gl, Cpu };
 
+/// Where the model is evaluated: at every sample, or at the mesh's vertices (CPU only).
+enum class Shading { Pixel, Vertex };
+
 struct RenderPlan {
     Backend backend = Backend::Auto;         ///< Auto: GL where a context opens, else the CPU
     Precision precision = Precision::Double; ///< of the CPU renderer
+    Shading shading = Shading::Pixel;
     ContextKind context = ContextKind::Any;
     int frames = 1; ///< shadings; more than one for timing
 };
