@@ -62,7 +62,7 @@ void noteFlatShading(const TriangleList& list, MeshReport& report)
     constexpr std::size_t fewTriangles = 100; // a cube has flat faces by nature
     if (list.normals.size() >= fewTriangles && report.cornersWithFileNormal == 3 * list.normals.size() &&
         std::all_of(list.normals.begin(), list.normals.end(), isFlat))
-        report.notes.push_back(
+        report.notes.emplace_back(
             "the file gives every face one normal, so the surface looks faceted; computing the normals "
             "anew (--smooth) rounds it");
 }

@@ -75,7 +75,7 @@ private:
     struct Spoke {
         Index farVertex; ///< at the other end of an edge
         Index corner;    ///< which of the vertex's corners the edge bounds
-        friend auto operator<=>(const Spoke&, const Spoke&) = default;
+        friend auto operator<=>(const Spoke&, const Spoke&) = default; // NOLINT(modernize-use-nullptr): not a pointer
     };
 
     /// Joins corners that share a spoke, unless the surface folds there by more than the crease angle.

@@ -27,7 +27,7 @@ public:
         if (!anyNormal_)
             soup_.cornerNormals = {};
         if (hasMaterials_)
-            soup_.notes.push_back("materials (mtllib, usemtl) are not read: the surface is this program's own");
+            soup_.notes.emplace_back("materials (mtllib, usemtl) are not read: the surface is this program's own");
         return std::move(soup_);
     }
 
