@@ -19,36 +19,38 @@ template <class T> Result<Content> asContent(Result<T> read)
     return Content(std::move(read).value());
 }
 
-Result<Content> readMesh(const std::string& path, std::atomic<double>& done, const std::atomic<bool>& cancel)
-{
-    LoadOptions options;
-    options.progress = &done;
-    options.cancel = &cancel;
-    Result<LoadedMesh> loaded = loadStockOrFile(path, options);
-    if (!loaded)
-        return loaded.error();
-    return Content(std::move(loaded->mesh));
-}
-
-Result<Content> readContent(const std::string& path, std::atomic<double>& done, const std::atomic<bool>& cancel)
-{
-    const std::string ending = lowered(std::filesystem::path(path).extension().string());
-    if (ending == ".json")
-        return asContent(loadScene(path));
-    if (ending == ".exr" || ending == ".hdr")
-        return asContent(loadEnvironment(path));
-    return readMesh(path, done, cancel);
-}
-
 } // namespace
 
 struct FileLoader::Job {
     std::string path;
+    bool recomputeNormals = false;
     std::atomic<double> done{0.0};
     std::atomic<bool> cancel{false};
     std::promise<Result<Content>> promise;
     std::future<Result<Content>> future = promise.get_future();
     std::jthread thread; // last: joined before what it uses goes
+
+    [[nodiscard]] Result<Content> readMesh()
+    {
+        LoadOptions options;
+        options.recomputeNormals = recomputeNormals;
+        options.progress = &done;
+        options.cancel = &cancel;
+        Result<LoadedMesh> loaded = loadStockOrFile(path, options);
+        if (!loaded)
+            return loaded.error();
+        return Content(std::move(loaded->mesh));
+    }
+
+    [[nodiscard]] Result<Content> read()
+    {
+        const std::string ending = lowered(std::filesystem::path(path).extension().string());
+        if (ending == ".json")
+            return asContent(loadScene(path));
+        if (ending == ".exr" || ending == ".hdr")
+            return asContent(loadEnvironment(path));
+        return readMesh();
+    }
 
     [[nodiscard]] bool hasEnded() const
     {
@@ -63,13 +65,14 @@ FileLoader::~FileLoader()
     cancel();
 }
 
-void FileLoader::start(const std::string& path)
+void FileLoader::start(const std::string& path, bool recomputeNormals)
 {
     cancel();
     job_ = std::make_unique<Job>();
     job_->path = path;
+    job_->recomputeNormals = recomputeNormals;
     job_->thread = std::jthread([this, job = job_.get()] {
-        job->promise.set_value(readContent(job->path, job->done, job->cancel));
+        job->promise.set_value(job->read());
         wake_();
     });
 }

@@ -30,7 +30,8 @@ public:
     FileLoader(const FileLoader&) = delete;
     FileLoader& operator=(const FileLoader&) = delete;
 
-    void start(const std::string& path);
+    /// Of a mesh, `recomputeNormals` smooths the normals even where the file gives some.
+    void start(const std::string& path, bool recomputeNormals);
     void cancel(); ///< returns at once; the thread ends by itself
 
     [[nodiscard]] std::optional<Loading> progress() const; ///< nothing while idle

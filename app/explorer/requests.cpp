@@ -40,6 +40,7 @@ void resetScene(Session& session)
     Scene fresh = defaultScene();
     fresh.mesh = session.state.scene.mesh;
     fresh.meshFile = session.state.scene.meshFile;
+    fresh.recomputeNormals = session.state.scene.recomputeNormals;
     session.state.scene = std::move(fresh);
     session.state.selectedLight = 0;
     session.state.soloLight = -1;
@@ -112,15 +113,18 @@ struct TakeOver {
     void operator()(std::shared_ptr<const Mesh> mesh) const
     {
         Scene& scene = session.state.scene;
+        const bool another = scene.meshFile != path;
         scene.mesh = std::move(mesh);
         scene.meshFile = path;
-        frame(session);
+        if (another)
+            frame(session);
     }
     void operator()(Scene scene) const
     {
         session.state.scene = std::move(scene);
         session.state.selectedLight = session.state.scene.lights.empty() ? -1 : 0;
         session.state.soloLight = -1;
+        session.state.panels.matrices.clear(); // what a narrower mode hid belongs to the scene before
         session.sceneFile = path;
     }
     void operator()(Environment environment) const
@@ -155,7 +159,7 @@ void pollFiles(Session& session)
     if (std::optional<LoadedFile> file = session.loader.take())
         takeOver(session, std::move(*file));
     if (!session.loader.progress() && !session.toOpen.empty()) {
-        session.loader.start(session.toOpen.front());
+        session.loader.start(session.toOpen.front(), session.state.scene.recomputeNormals);
         session.toOpen.pop_front();
     }
     session.state.loading = session.loader.progress();

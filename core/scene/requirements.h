@@ -18,7 +18,6 @@ struct Requirements {
     bool environmentBackground = false;
 
     friend bool operator==(const Requirements&, const Requirements&) = default;
-    friend auto operator<=>(const Requirements&, const Requirements&) = default;
 
     /// Unique text for caches: "hybrid+directional".
     [[nodiscard]] std::string key() const;

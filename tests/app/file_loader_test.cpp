@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds patience(60000);
 std::optional<LoadedFile> loaded(const std::string& path)
 {
     FileLoader loader([] {});
-    loader.start(path);
+    loader.start(path, false);
     loader.waitFor(patience);
     return loader.take();
 }
@@ -68,7 +68,7 @@ TEST(FileLoader, WakesAndHandsOverOnce)
     });
     EXPECT_FALSE(loader.take());
     EXPECT_FALSE(loader.progress());
-    loader.start("sphere");
+    loader.start("sphere", false);
     ASSERT_TRUE(loader.progress());
     EXPECT_EQ(loader.progress()->file, "sphere");
     wakes.wait(0);
@@ -80,14 +80,14 @@ TEST(FileLoader, WakesAndHandsOverOnce)
 TEST(FileLoader, CancelledAndReplacedFilesNeverArrive)
 {
     FileLoader loader([] {});
-    loader.start("mug");
+    loader.start("mug", false);
     loader.cancel();
     EXPECT_FALSE(loader.progress());
     loader.waitFor(patience);
     EXPECT_FALSE(loader.take());
     for (int i = 0; i < 20; ++i)
-        loader.start("mug");
-    loader.start("sphere");
+        loader.start("mug", false);
+    loader.start("sphere", false);
     loader.waitFor(patience);
     const std::optional<LoadedFile> last = loader.take();
     ASSERT_TRUE(last);

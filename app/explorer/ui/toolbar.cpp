@@ -50,6 +50,12 @@ void openMenu(ExplorerState& state)
     if (ImGui::Selectable("Open a file\u2026"))
         state.showFileBrowser = true;
     tooltip("Mesh (.obj .ply .off .stl), scene (.json) or environment (.exr .hdr).  Ctrl+O");
+    bool& smooth = state.scene.recomputeNormals;
+    if (ImGui::Selectable("Smooth normals", smooth)) {
+        smooth = !smooth;
+        state.requests.push_back({Kind::OpenFile, state.scene.meshFile});
+    }
+    tooltip("Compute the normals anew even where the file gives some: faceted files look round. Reads the mesh again.");
     ImGui::Separator();
     remark("Built in");
     for (const std::string& name : stockMeshNames())
