@@ -59,6 +59,7 @@ int run(int argc, char** argv)
     addModels(program, exitCode);
     addInspect(program, exitCode);
     addCompare(program, exitCode);
+    addCheck(program, exitCode);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -19,5 +19,6 @@ void addEval(CLI::App& program, int& exitCode);
 void addModels(CLI::App& program, int& exitCode);
 void addInspect(CLI::App& program, int& exitCode);
 void addCompare(CLI::App& program, int& exitCode);
+void addCheck(CLI::App& program, int& exitCode);
 
 } // namespace reflectance::cli
