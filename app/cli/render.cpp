@@ -1,4 +1,5 @@
 // `render`: one picture, by the GL or the CPU renderer, and the figures about it.
+#include "app/cli/long_work.h"
 #include "app/cli/report.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/verbs.h"
@@ -94,6 +95,12 @@ Result<Image> asWritten(const std::string& path)
     return std::move(picture->image);
 }
 
+Result<Rendered> renderWatched(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
+{
+    const LongWork work;
+    return renderPicture(scene, settings, plan, &LongWork::progress());
+}
+
 int run(const Options& options)
 {
     const auto format = outputFormat(options.out);
@@ -108,9 +115,9 @@ int run(const Options& options)
     const auto scene = sceneFrom(options.scene);
     if (!scene)
         return refused(scene.error());
-    const auto rendered = renderPicture(*scene, *settings, *plan);
+    const auto rendered = renderWatched(*scene, *settings, *plan);
     if (!rendered)
-        return refused(rendered.error());
+        return refused(rendered.error(), LongWork::wasStopped() ? Stopped : BadInput);
     const auto counts = savePicture(options.out, rendered->image, scene->sensor);
     if (!counts)
         return refused(counts.error());

@@ -19,10 +19,10 @@ Result<void> writeReport(const std::string& target, const nlohmann::ordered_json
     return {};
 }
 
-int refused(const Error& error)
+int refused(const Error& error, int exitCode)
 {
     std::cerr << "reflectance: " << error.sentence() << '\n';
-    return BadInput;
+    return exitCode;
 }
 
 } // namespace reflectance::cli

@@ -43,7 +43,7 @@ Image renderOnCpu(const Scene& scene, const RenderSettings& settings, Precision 
     const RayScene rays(scene.mesh);
     Image image(settings.width, settings.height);
     const int step = rowsPerBand(settings);
-    for (int row = 0; row < settings.height; row += step) {
+    for (int row = 0; row < settings.height && !(progress != nullptr && progress->cancel); row += step) {
         const RowBand band{row, std::min(step, settings.height - row)};
         const Stretch half{progress, 0.5 * band.rows / settings.height};
         shadeBand(sampleBand(rays, scene.camera, settings, band, half), band, scene, precision, half, image);

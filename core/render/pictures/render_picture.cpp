@@ -34,16 +34,12 @@ template <class Shade> double medianMilliseconds(int repetitions, Shade shade)
     return times[times.size() / 2];
 }
 
-Rendered renderByCpu(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
+/// Shades `plan.frames` times what was sampled once.
+void renderFrames(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan, Progress* progress,
+                  Rendered& rendered)
 {
-    Rendered rendered;
-    rendered.backend = "cpu";
-    rendered.precision = std::string(nameOf(plan.precision));
-    if (plan.precision == Precision::Simd)
-        rendered.precision += std::string(" (") + lanesName() + ")";
     const Clock::time_point start = Clock::now();
-    const auto rays = makeRayScene(scene.mesh);
-    const ViewSamples samples = sampleView(*rays, scene.camera, settings);
+    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, settings, progress);
     const auto shade = [&] {
         rendered.image = plan.shading == Shading::Vertex ? shadePerVertex(samples, scene, plan.precision)
                                                          : shadeSamples(samples, scene, plan.precision);
@@ -51,6 +47,25 @@ Rendered renderByCpu(const Scene& scene, const RenderSettings& settings, const R
     shade();
     rendered.firstFrameMilliseconds = millisecondsSince(start);
     rendered.shadingMilliseconds = medianMilliseconds(plan.frames - 1, shade);
+}
+
+Result<Rendered> renderByCpu(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
+                             Progress* progress)
+{
+    Rendered rendered;
+    rendered.backend = "cpu";
+    rendered.precision = std::string(nameOf(plan.precision));
+    if (plan.precision == Precision::Simd)
+        rendered.precision += std::string(" (") + lanesName() + ")";
+    if (plan.frames == 1 && plan.shading == Shading::Pixel) { // in bands, which keeps huge pictures small in memory
+        const Clock::time_point start = Clock::now();
+        rendered.image = renderOnCpu(scene, settings, plan.precision, progress);
+        rendered.firstFrameMilliseconds = millisecondsSince(start);
+    } else {
+        renderFrames(scene, settings, plan, progress, rendered);
+    }
+    if (progress != nullptr && progress->cancel)
+        return Error{"stopped; nothing was written"};
     return rendered;
 }
 
@@ -82,18 +97,19 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
 
 } // namespace
 
-Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
+Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
+                               Progress* progress)
 {
     if (plan.shading == Shading::Vertex && plan.backend == Backend::Gl)
         return Error{"shading per vertex belongs to the CPU renderer; leave the GL backend out, or shade per pixel"};
     if (plan.backend == Backend::Cpu || plan.shading == Shading::Vertex)
-        return renderByCpu(scene, settings, plan);
+        return renderByCpu(scene, settings, plan, progress);
     auto context = openHeadless(plan.context);
     if (context)
         return renderByGl(scene, settings, plan, **context);
     if (plan.backend == Backend::Gl)
         return context.error();
-    return renderByCpu(scene, settings, plan);
+    return renderByCpu(scene, settings, plan, progress);
 }
 
 ContextKind contextNamed(std::string_view name)

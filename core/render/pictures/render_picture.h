@@ -3,6 +3,7 @@
 
 #include "core/image/image.h"
 #include "core/reflectance/precision.h"
+#include "core/render/cpu/cpu_renderer.h"
 #include "core/render/headless/headless_context.h"
 #include "core/render/settings.h"
 #include "core/scene/scene.h"
@@ -33,8 +34,9 @@ struct Rendered {
     double shadingMilliseconds = 0.0;    ///< shading again: the median of the frames after the first; 0 for one frame
 };
 
-[[nodiscard]] Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings,
-                                             const RenderPlan& plan);
+/// `progress` lets another thread watch and stop the CPU renderer; the Error then says that it was stopped.
+[[nodiscard]] Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
+                                             Progress* progress = nullptr);
 
 /// "osmesa" and "egl"; anything else is Any.
 [[nodiscard]] ContextKind contextNamed(std::string_view name);
