@@ -89,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{R"({"lights": [{"kind": "spot"}]})", "scene.lights[0].kind is 'spot'; choose one of"},
                     BadScene{R"({"lights": [{"intensity": [1, 2]}]})", "three finite numbers"},
                     BadScene{R"({"lights": [{"intensity": [1, -2, 1]}]})", "none negative"},
+                    BadScene{"{\"lights\": [\n{\"intensity\": [1e999, 1, 1]}]}",
+                             "scene.json:2: the number 1e999 is too large"},
                     BadScene{R"({"lights": [{"direction": [0, 0, 0]}]})", "zero vector"},
                     BadScene{R"({"lights": [{"radius": 91}]})", "within 0 .. 90"},
                     BadScene{R"({"surface": {"model": "lambret"}})", "did you mean 'lambert'"},
