@@ -3,12 +3,12 @@
 #pragma once
 
 #include "core/render/cpu/background.h"
+#include "core/render/cpu/in_parallel.h"
 #include "core/render/cpu/row_band.h"
 
 #include <algorithm>
 #include <array>
 #include <span>
-#include <tbb/parallel_for.h>
 
 namespace reflectance {
 
@@ -44,7 +44,7 @@ void shadePixelRuns(const ViewSamples& samples, RowBand band, const Scene& scene
     const std::size_t bandOffset = Image::pixelCount(image.width, band.first);
     const std::size_t pixels = Image::pixelCount(image.width, band.rows);
     const std::size_t tasks = (pixels + pixelsPerTask - 1) / pixelsPerTask;
-    tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+    inParallel(std::size_t{0}, tasks, [&](std::size_t task) {
         if (stretch.cancelled())
             return;
         const std::size_t first = task * pixelsPerTask;

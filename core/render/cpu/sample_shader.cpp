@@ -10,33 +10,45 @@ template <class T> Vec3<T> radianceThere(const void* environment, const Vec3<T>&
     return radianceFrom(*static_cast<const Environment*>(environment), direction);
 }
 
-/// Unit vectors from sample positions to a point, and their distances. The difference is taken in double and rounded
-/// once; a sample at the very point gets the zero vector.
-void directionsTo(const Vec3d& point, const ViewSamples& samples, std::size_t first, std::size_t count,
-                  Vec3Column<double>& directions, std::array<double, blockSize>& distances)
+template <class T>
+void directionsByDouble(const Vec3d& point, const ViewSamples& samples, std::size_t first, std::size_t count,
+                        Vec3Column<T>& directions, std::array<T, blockSize>& distances)
 {
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t s = first + i;
         const Vec3d away = point - Vec3d{samples.Px[s], samples.Py[s], samples.Pz[s]};
         directions.set(i, normalized(away));
-        distances[i] = length(away);
+        distances[i] = static_cast<T>(length(away));
     }
+}
+
+/// Unit vectors from sample positions to a point, and their distances. The difference is taken in double and rounded
+/// once; a sample at the very point gets the zero vector.
+void directionsTo(const Vec3d& point, const ViewSamples& samples, std::size_t first, std::size_t count,
+                  Vec3Column<double>& directions, std::array<double, blockSize>& distances)
+{
+    directionsByDouble(point, samples, first, count, directions, distances);
 }
 
 void directionsTo(const Vec3d& point, const ViewSamples& samples, std::size_t first, std::size_t count,
                   Vec3Column<float>& directions, std::array<float, blockSize>& distances)
 {
+    int extreme = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const auto x = static_cast<float>(point.x - samples.Px[first + i]);
         const auto y = static_cast<float>(point.y - samples.Py[first + i]);
         const auto z = static_cast<float>(point.z - samples.Pz[first + i]);
-        const float distance = std::sqrt(x * x + y * y + z * z);
-        const float scale = distance > 0.0F ? 1.0F / distance : 0.0F;
+        const float squared = x * x + y * y + z * z;
+        extreme |= static_cast<int>(!(squared > 1e-30F)) | static_cast<int>(!(squared < 1e30F));
+        const float distance = std::sqrt(squared);
+        const float scale = 1.0F / distance;
         directions.x[i] = x * scale;
         directions.y[i] = y * scale;
         directions.z[i] = z * scale;
         distances[i] = distance;
     }
+    if (extreme != 0) // squares that floats cannot hold (hazards H40, H41): the whole block again, with care
+        directionsByDouble(point, samples, first, count, directions, distances);
 }
 
 /// I / r^2 with the smallest distance that counts; 0 at the light itself (hazard H40).

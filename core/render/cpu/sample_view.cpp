@@ -1,11 +1,11 @@
 // Visibility: which triangle each sample meets (Embree), then where and with which normal (double).
+#include "core/render/cpu/in_parallel.h"
 #include "core/render/cpu/pixel_rays.h"
 #include "core/render/cpu/ray_scene.h"
 #include "core/render/cpu/row_band.h"
 #include "core/render/cpu/surface_point.h"
 
 #include <algorithm>
-#include <tbb/parallel_for.h>
 
 namespace reflectance {
 namespace {
@@ -68,7 +68,7 @@ Hits traceBand(const RayScene& rays, const PixelRays& pixelRays, const Vec3d& ey
                           RayScene::nothing);
     const int across = (settings.width + tileSize - 1) / tileSize;
     const int tiles = across * ((band.rows + tileSize - 1) / tileSize);
-    tbb::parallel_for(0, tiles, [&](int tile) {
+    inParallel(0, tiles, [&](int tile) {
         if (stretch.cancelled())
             return;
         traceTile(rays, pixelRays, eye, tile % across * tileSize, band.first + tile / across * tileSize, hits);
@@ -129,7 +129,7 @@ ViewSamples sampleBand(const RayScene& rays, const Camera& camera, const RenderS
     samples.eye = camera.eye;
     samples.firstOfPixel = offsetsOf(hits);
     resize(samples, samples.firstOfPixel.back());
-    tbb::parallel_for(band.first, band.first + band.rows, [&](int y) {
+    inParallel(band.first, band.first + band.rows, [&](int y) {
         if (!stretch.cancelled())
             storeRow(rays.mesh(), pixelRays, hits, y, samples);
         stretch.advance(0.5 / band.rows);
