@@ -9,6 +9,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 
 namespace reflectance::cli {
 namespace {
@@ -18,11 +19,12 @@ constexpr const char* description =
     "Without a verb the explorer opens, on the mesh or scene named, else on a clay mug.";
 
 /// Without a display the default view goes to a picture, and the user learns how to get others.
-int renderInstead(const std::string& input)
+int renderInstead(const std::string& input, const std::optional<std::string>& environment)
 {
     constexpr const char* out = "reflectance.png";
     SceneOptions options;
     options.input = input;
+    options.environment = environment.value_or("");
     const auto scene = sceneFrom(options);
     if (!scene)
         return refused(scene.error());
@@ -37,14 +39,15 @@ int renderInstead(const std::string& input)
     return Done;
 }
 
-int explore(const std::string& input)
+int explore(const std::string& input, const std::optional<std::string>& environment)
 {
     explorer::ExplorerOptions options;
     options.input = input;
+    options.environment = environment;
     const auto ended = explorer::runExplorer(options);
     if (!ended)
         return refused(ended.error());
-    return *ended == explorer::Outcome::NoDisplay ? renderInstead(input) : Done;
+    return *ended == explorer::Outcome::NoDisplay ? renderInstead(input, environment) : Done;
 }
 
 int run(int argc, char** argv)
@@ -53,12 +56,15 @@ int run(int argc, char** argv)
     program.set_version_flag("--version", std::string("reflectance ") + REFLECTANCE_VERSION);
     std::string input;
     program.add_option("input", input, "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json)");
+    std::optional<std::string> environment;
+    program.add_option("--environment", environment, "latitude-longitude picture (.exr, .hdr) around the object");
     int exitCode = Done;
     addRender(program, exitCode);
     addEval(program, exitCode);
     addModels(program, exitCode);
     addInspect(program, exitCode);
     addCompare(program, exitCode);
+    addExtremes(program, exitCode);
     addCheck(program, exitCode);
     try {
         program.parse(argc, argv);
@@ -68,7 +74,7 @@ int run(int argc, char** argv)
         return refused(
             Error{std::string(error.what()) + "; 'reflectance --help' and 'reflectance VERB --help' tell more"});
     }
-    return program.get_subcommands().empty() ? explore(input) : exitCode;
+    return program.get_subcommands().empty() ? explore(input, environment) : exitCode;
 }
 
 } // namespace

@@ -10,8 +10,8 @@ namespace reflectance::cli {
 /// Exit codes that scripts rely on.
 enum ExitCode { Done = 0, DoesNotHold = 1, BadInput = 2 };
 
-/// Prints "reflectance: FILE:LINE: sentence" on stderr and returns BadInput.
-int refused(const Error& error);
+/// Prints "reflectance: FILE:LINE: sentence" on stderr and returns the exit code.
+int refused(const Error& error, int exitCode = BadInput);
 
 /// Each verb stores its result in `exitCode`.
 void addRender(CLI::App& program, int& exitCode);
@@ -19,6 +19,7 @@ void addEval(CLI::App& program, int& exitCode);
 void addModels(CLI::App& program, int& exitCode);
 void addInspect(CLI::App& program, int& exitCode);
 void addCompare(CLI::App& program, int& exitCode);
+void addExtremes(CLI::App& program, int& exitCode);
 void addCheck(CLI::App& program, int& exitCode);
 
 } // namespace reflectance::cli
