@@ -14,7 +14,8 @@ double spreadOut(std::size_t i, std::size_t dimension)
 {
     constexpr double primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
     const double step = std::sqrt(primes[dimension % std::size(primes)]);
-    const double value = static_cast<double>(i + 1 + dimension / std::size(primes)) * step;
+    const std::size_t later = dimension / std::size(primes); // beyond 16 dimensions the same roots, one step on
+    const double value = static_cast<double>(i + 1 + later) * step;
     return value - std::floor(value);
 }
 
