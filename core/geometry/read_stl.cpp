@@ -139,7 +139,7 @@ Result<PolygonSoup> readStl(std::string_view bytes, ReadContext& context)
     if (!done)
         return done.error();
     weld(soup);
-    soup.notes.push_back("STL knows one normal per facet; they were computed anew from the triangles");
+    soup.notes.emplace_back("STL knows one normal per facet; they were computed anew from the triangles");
     return soup;
 }
 

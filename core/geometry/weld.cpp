@@ -1,6 +1,7 @@
 #include "core/geometry/weld.h"
 
 #include <bit>
+#include <cmath>
 #include <limits>
 
 namespace reflectance {
@@ -19,6 +20,11 @@ std::size_t hashOf(const Vec3d& p)
     return static_cast<std::size_t>(hash);
 }
 
+bool isNan(const Vec3d& v)
+{
+    return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z);
+}
+
 } // namespace
 
 std::vector<std::uint32_t> firstAtSamePlace(std::span<const Vec3d> positions)
@@ -29,7 +35,7 @@ std::vector<std::uint32_t> firstAtSamePlace(std::span<const Vec3d> positions)
     std::vector<std::uint32_t> first(positions.size());
     for (std::uint32_t i = 0; i < positions.size(); ++i) {
         std::size_t slot = hashOf(positions[i]) & (slots - 1);
-        if (positions[i] != positions[i]) { // NaN: many of them would only lengthen each other's search
+        if (isNan(positions[i])) { // many of them would only lengthen each other's search
             first[i] = i;
             continue;
         }
