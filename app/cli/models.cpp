@@ -104,8 +104,8 @@ void printMarkdown(const ModelText& model)
 {
     std::cout << "\n## " << model.name << " (`" << model.id << "`)\n\n    " << model.formula << "\n\n"
               << model.about << "\n\n- Source: " << model.citation << "\n- Reciprocal: " << model.reciprocal.reason
-              << "\n- Passive: " << model.passive.reason
-              << limitsText(model, "\n- Becomes: ") << "\n- Sees the environment: " << (model.usesEnvironment ? "yes" : "no")
+              << "\n- Passive: " << model.passive.reason << limitsText(model, "\n- Becomes: ")
+              << "\n- Sees the environment: " << (model.usesEnvironment ? "yes" : "no")
               << "; sees the size of lights: " << (model.usesLightSize ? "yes" : "no")
               << "\n\n| parameter | meaning | kind | default | slider | legal | unit | source |\n"
                  "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
