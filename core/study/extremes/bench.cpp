@@ -73,6 +73,11 @@ double largestOf(const Vec3d& v)
     return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
 }
 
+double worse(double a, double b)
+{
+    return std::isnan(a) || std::isnan(b) ? INFINITY : std::max(a, b);
+}
+
 std::string textOf(const Vec3d& v)
 {
     if (v.x == v.y && v.y == v.z)

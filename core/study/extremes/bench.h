@@ -56,6 +56,8 @@ private:
 
 [[nodiscard]] Observation observationOf(const Question& question);
 [[nodiscard]] double largestOf(const Vec3d& v);
+/// The larger of two errors; NaN is infinitely wrong (std::max would drop it).
+[[nodiscard]] double worse(double a, double b);
 /// "0.75 0.375 0.1875", nine digits; one number where all are equal.
 [[nodiscard]] std::string textOf(const Vec3d& v);
 [[nodiscard]] bool isFinite(const Vec3d& v);

@@ -35,7 +35,7 @@ Outcome farOffThePeak(Bench& bench)
         const double error = truth < smallestFloat && !bench.isDouble()
                                  ? (got == 0.0 ? 0.0 : INFINITY)
                                  : std::fabs(got / truth - 1.0) / bench.bound(sensitivityOfPower(angle, n));
-        worst = std::isnan(error) ? INFINITY : std::max(worst, error);
+        worst = worse(worst, error);
         found += (found.empty() ? "" : ", ") + general(got, 7);
     }
     return {worst <= 1.0, found + "; " + general(worst, 2) + " of the bound"};
@@ -78,7 +78,7 @@ Outcome highlightFalls(Bench& bench)
         const double truth = powerOfCosine(offset(i), n);
         const double allowed = 4.0 * (sensitivityOfPower(offset(i), n) + 1.0) * truth * bench.unit() + smallestFloat;
         if (bench.isDouble() ? !(rise < 0.0) : !(rise <= allowed))
-            worst = std::isnan(rise) ? INFINITY : std::max(worst, rise);
+            worst = worse(worst, rise);
     }
     return {worst == 0.0, worst == 0.0 ? "falls at every step" : "rises by " + general(worst, 3)};
 }
@@ -100,7 +100,7 @@ Outcome exponentSwept(Bench& bench)
         const double allowed =
             bench.bound(sensitivityOfPower(angle, n)) * truth + (bench.isDouble() ? 0x1p-1022 : smallestFloat);
         const double error = std::max(std::fabs(got - truth), got - before) / allowed;
-        worst = std::isnan(error) ? INFINITY : std::max(worst, error);
+        worst = worse(worst, error);
         before = got;
     }
     return {worst <= 1.0, "worst error " + general(worst, 2) + " of the bound"};

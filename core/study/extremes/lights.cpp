@@ -33,7 +33,7 @@ Outcome farLight(Bench&)
         lamp.position = distance * towards;
         const double apart = length(arrivalAt(lamp, point).L - towards);
         // |point| < 1 gives at most 1/D; the position and the unit vector round.
-        worst = std::max(worst, apart / (1.0 / distance + 4.0 * 0x1p-52));
+        worst = worse(worst, apart / (1.0 / distance + 4.0 * 0x1p-52));
     }
     return {worst <= 1.0, "direction differs by " + general(worst, 3) + " of the allowed"};
 }

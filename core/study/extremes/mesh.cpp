@@ -81,7 +81,7 @@ Outcome needles(Bench&)
     for (std::size_t v = 0; v < mesh.normals.size(); ++v)
         if (mesh.fileVertex[v] == 0) {
             got = mesh.normals[v];
-            worst = std::max(worst, length(got - normalized(Vec3d(0, -2, 1))));
+            worst = worse(worst, length(got - normalized(Vec3d(0, -2, 1))));
         }
     // The file's decimals round to 2^-53 of the coordinates, the products to a few units more.
     const Outcome outcome = within(worst, 1e-14, "off by");

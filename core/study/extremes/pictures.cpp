@@ -176,9 +176,9 @@ Outcome lightFarAway(Bench& bench)
         const Image image = bench.render(scene, settings);
         double apart = 0.0;
         for (std::size_t i = 0; i < image.rgb.size(); ++i)
-            apart = std::max(apart, std::fabs(double{image.rgb[i]} - double{expected.rgb[i]}));
+            apart = worse(apart, std::fabs(double{image.rgb[i]} - double{expected.rgb[i]}));
         // Parallax 1/D, fall-off 2/D within the unit sphere; the picture is float, the arrival is rounded a few times.
-        worst = std::max(worst, apart / (4.0 / distance + 16.0 * std::max(bench.unit(), 0x1p-24)));
+        worst = worse(worst, apart / (4.0 / distance + 16.0 * std::max(bench.unit(), 0x1p-24)));
     }
     return {worst <= 1.0 && brightest(expected) > 0.5F, "differs by " + general(worst, 2) + " of the allowed"};
 }

@@ -32,7 +32,7 @@ std::function<Outcome(Bench&)> smoothIsLambert(const std::string& model)
             question.L = at(theta, 0.0);
             question.V = at(0.7, 2.0);
             const double lambert = rho * std::cos(theta);
-            worst = std::max(worst, largestOf(bench.ask(question) - Vec3d(lambert)) / lambert);
+            worst = worse(worst, largestOf(bench.ask(question) - Vec3d(lambert)) / lambert);
         }
         // cos(1.57) = 8e-4 comes from a rounded direction, but N = (0,0,1) reads it off exactly.
         return within(worst, 4.0 * bench.unit(), "off Lambert by");
@@ -47,7 +47,7 @@ std::function<Outcome(Bench&)> withoutAzimuth(const std::string& model, double (
             Question question = rough(model, 0.5);
             (viewerAtN ? question.L : question.V) = at(0.8, 0.4);
             const double truth = expected(viewerAtN ? 0.8 : 0.0);
-            worst = std::max(worst, largestOf(bench.ask(question) - Vec3d(truth)) / truth);
+            worst = worse(worst, largestOf(bench.ask(question) - Vec3d(truth)) / truth);
         }
         return within(worst, bench.bound(1.0), "relative error");
     };
@@ -80,7 +80,7 @@ Outcome bothGrazing(Bench& bench)
         // A g / sqrt(1 + g^2) + B / (1.5 (1 + g^2)) with sigma^2 = 0.36: tan(beta) is 1 / (1.5 g).
         const double truth = rho * ((1.0 - 0.18 / 0.69) * g / std::sqrt(1.0 + g * g) + 0.36 / (1.5 * (1.0 + g * g)));
         last = bench.ask(question);
-        worst = std::max(worst, largestOf(last - Vec3d(truth)) / truth);
+        worst = worse(worst, largestOf(last - Vec3d(truth)) / truth);
     }
     const Outcome outcome = within(worst, bench.bound(4.0), "relative error");
     return {outcome.holds, textOf(last) + ", " + outcome.found};
@@ -93,7 +93,7 @@ Outcome beyondTheModel(Bench& bench)
     for (const double sigma : {2.0, 10.0, 1e3}) {
         last = bench.ask(rough("oren_nayar", sigma));
         const double truth = rho * (1.0 - 0.5 * sigma * sigma / (sigma * sigma + 0.33));
-        worst = std::max(worst, largestOf(last - Vec3d(truth)) / truth);
+        worst = worse(worst, largestOf(last - Vec3d(truth)) / truth);
     }
     const Outcome outcome = within(worst, bench.bound(1.0), "relative error");
     return {outcome.holds, textOf(last) + ", " + outcome.found};
@@ -114,11 +114,15 @@ Outcome negativeRadiance(Bench& bench)
 
 Outcome nearTheNormal(Bench& bench)
 {
-    Question question = rough("oren_nayar_full", 0.5);
-    question.L = at(1e-6, 0.0);
-    question.V = at(1e-6, 1.0);
-    const double truth = fullOrenNayar(rho, 0.5, 1e-6, 1e-6, std::cos(1.0));
-    return within(largestOf(bench.ask(question) - Vec3d(truth)) / truth, bench.bound(0.0), "relative error");
+    double worst = 0.0;
+    for (const bool viewerNear : {true, false}) {
+        Question question = rough("oren_nayar_full", 0.5);
+        question.L = at(viewerNear ? 1.0 : 1e-6, 0.0);
+        question.V = at(viewerNear ? 1e-6 : 1.0, 1.0);
+        const double truth = fullOrenNayar(rho, 0.5, viewerNear ? 1.0 : 1e-6, viewerNear ? 1e-6 : 1.0, std::cos(1.0));
+        worst = worse(worst, largestOf(bench.ask(question) - Vec3d(truth)) / truth);
+    }
+    return within(worst, bench.bound(0.0), "relative error");
 }
 
 Outcome grazingViewer(Bench& bench)
@@ -127,9 +131,9 @@ Outcome grazingViewer(Bench& bench)
     question.L = at(0.5, 0.0);
     question.V = {-1, 0, 1e-15};
     const Vec3d got = bench.ask(question);
-    // E(0) = 1 leaves the single-scattering lobe alone; s = L.V < 0 there. EON's guard 1 - E >= 1e-7 may remain.
+    // E(0) = 1 leaves the single-scattering lobe alone; s = L.V = -sin(0.5) there.
     const double truth = rho * std::cos(0.5) * fujiiFactor(0.5) * (1.0 - 0.5 * std::sin(0.5));
-    return within(largestOf(got - Vec3d(truth)) / truth, 1e-6, "relative error");
+    return within(largestOf(got - Vec3d(truth)) / truth, bench.bound(1.0), "relative error");
 }
 
 } // namespace
@@ -180,7 +184,7 @@ Hazards roughHazards()
                               negativeRadiance},
                              {"H35",
                               "acos near the normal",
-                              "oren_nayar_full, both at 1e-6",
+                              "oren_nayar_full, L or V at 1e-6, the other at 1",
                               "within 32 units",
                               inEveryPrecision,
                               {"oren_nayar_full"},
@@ -188,7 +192,7 @@ Hazards roughHazards()
                              {"H36",
                               "EON's albedo at the horizon",
                               "eon, N.V = 1e-15",
-                              "E(0) = 1: one lobe alone, to 1e-6",
+                              "E(0) = 1: the single lobe alone",
                               inEveryPrecision,
                               {"eon"},
                               grazingViewer}});

@@ -129,7 +129,7 @@ double worstError(Bench bench, const std::vector<Sample>& samples)
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const double error = largestOf(answers[i] - Vec3d(samples[i].truth));
         const double relative = error == 0.0 ? 0.0 : error / samples[i].truth;
-        worst = std::isnan(relative) ? INFINITY : std::max(worst, relative);
+        worst = worse(worst, relative);
     }
     return worst;
 }

@@ -44,7 +44,7 @@ Outcome anyLength(Bench& bench)
     for (const double size : {1e200, 1e-200, 1e20, 1e-38, 1e-23}) {
         lambert.N = {0.0, 0.0, size};
         lambert.L = {0.6 * size, 0.0, 0.8 * size};
-        worst = std::max(worst, largestOf(bench.ask(lambert) - Vec3d(0.8)));
+        worst = worse(worst, largestOf(bench.ask(lambert) - Vec3d(0.8)));
     }
     const Outcome outcome = within(worst, 4.0 * bench.unit(), "unit input to");
     return {outcome.holds && different == 0, std::to_string(different) + " models differ; " + outcome.found};
@@ -66,7 +66,7 @@ Outcome terminator(Bench& bench)
     for (const double sine : {1e-12, 1e-15}) {
         Question question{"lambert", {{"kd", {1.0}}}};
         question.L = {1, 0, sine};
-        worst = std::max(worst, largestOf(bench.ask(question) - Vec3d(sine)) / sine);
+        worst = worse(worst, largestOf(bench.ask(question) - Vec3d(sine)) / sine);
         question.L.z = -sine;
         beyond += bench.ask(question);
     }
