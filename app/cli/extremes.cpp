@@ -87,8 +87,9 @@ void printSweep(const std::vector<SweepRow>& rows)
 
 std::string summaryText(const ExtremesSummary& summary)
 {
-    std::string text = std::to_string(summary.passed) + " passed, " + std::to_string(summary.failed) + " failed, " +
-                       std::to_string(summary.notYet) + " not applicable yet (their models or parts do not exist)";
+    std::string text = std::to_string(summary.passed) + " passed, " + std::to_string(summary.failed) + " failed";
+    if (summary.notYet > 0)
+        text += ", " + std::to_string(summary.notYet) + " not applicable yet (their models or parts do not exist)";
     if (summary.notRun > 0)
         text += ", " + std::to_string(summary.notRun) + " not run (no OpenGL context)";
     return text;

@@ -1,5 +1,6 @@
 // H50 to H54: the sensor's curve, its rounding, and what an 8-bit or half-float store would lose.
 #include "core/sensor/sensor.h"
+#include "core/base/embedded.h"
 #include "core/base/text.h"
 #include "core/study/extremes/hazard.h"
 
@@ -33,6 +34,53 @@ Outcome specialValues(Bench&)
     return {holds, std::to_string(code(0)) + " " + std::to_string(code(1)) + " " + std::to_string(code(2)) + " " +
                        std::to_string(code(3)) + ", counted " + std::to_string(picture.counts.negative) +
                        " negative, " + std::to_string(picture.counts.nonFinite) + " not finite"};
+}
+
+/// The codes that the shared sensor text gives in GLSL. The text runs as if it were a model: I goes in, light comes out.
+std::vector<int> codesInGlsl(Bench& bench, const std::vector<double>& values)
+{
+    const auto text = parseModelText("extremes_sensor",
+                                     std::string(embeddedText("sensor/develop.glsl")) +
+                                         "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { return develop(I); }\n",
+                                     {});
+    if (!text)
+        return {};
+    const Vec3d up{0, 0, 1};
+    std::vector<Observation> rows;
+    for (const double value : values)
+        rows.push_back({up, up, {{up, Vec3d(value), 0.0}}});
+    const double noExposure[] = {0.0};
+    std::vector<int> codes;
+    for (const Vec3d& encoded : bench.ask({*text, {}, {}, {}}, noExposure, rows))
+        codes.push_back(quantised(encoded.x));
+    return codes;
+}
+
+Outcome specialValuesInGlsl(Bench& bench)
+{
+    const std::vector<int> codes = codesInGlsl(bench, {-0.1, NAN, -INFINITY, INFINITY});
+    std::string found;
+    for (const int code : codes)
+        found += (found.empty() ? "" : " ") + std::to_string(code);
+    return {codes == std::vector<int>{0, 0, 0, 255}, found};
+}
+
+Outcome exactCurveInGlsl(Bench& bench)
+{
+    std::vector<double> values;
+    for (int code = 0; code < 256; ++code)
+        values.push_back(static_cast<float>(decodeSrgb(code / 255.0)));
+    for (int i = 0; i <= 4096; ++i)
+        values.push_back(i / 4096.0);
+    const std::vector<int> codes = codesInGlsl(bench, values);
+    int wrong = 0;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        const double scaled = 255.0 * standardCurve(values[i]);
+        // GLSL's pow may be 16 units of 2^-24 off: 2.5e-4 of a code.
+        const bool isTie = std::fabs(scaled - std::floor(scaled) - 0.5) < 2.5e-4;
+        wrong += isTie || codes[i] == static_cast<int>(std::floor(scaled + 0.5)) ? 0 : 1;
+    }
+    return {codes.size() == values.size() && wrong == 0, std::to_string(wrong) + " of 4353 wrong"};
 }
 
 Outcome ties(Bench&)
@@ -118,6 +166,20 @@ Hazards sensorHazards()
          {},
          {},
          banding},
+        {"H51",
+         "the shader's curve of what is no light",
+         "-0.1, NaN, -infinity, +infinity",
+         "0 0 0 255",
+         {Precision::Glsl},
+         {},
+         specialValuesInGlsl},
+        {"H53",
+         "the shader's sRGB curve",
+         "256 codes and 4097 linear values",
+         "0 wrong, ties to 2.5e-4 apart",
+         {Precision::Glsl},
+         {},
+         exactCurveInGlsl},
     };
 }
 
