@@ -113,7 +113,7 @@ std::vector<std::uint8_t> differenceMap(const Image& a, const Image& b, double s
             continue;
         const Codes colour = divergingColour(t);
         for (std::size_t c = 0; c < 3; ++c)
-            codes[i + c] = static_cast<std::uint8_t>(colour[c] + 0.5);
+            codes[i + c] = static_cast<std::uint8_t>(std::lround(colour[c]));
     }
     return codes;
 }

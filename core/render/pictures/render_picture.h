@@ -21,9 +21,9 @@ enum class Shading { Pixel, Vertex };
 struct RenderPlan {
     Backend backend = Backend::Auto;         ///< Auto: GL where a context opens, else the CPU
     Precision precision = Precision::Double; ///< of the CPU renderer
-    Shading shading = Shading::Pixel;
     ContextKind context = ContextKind::Any;
     int frames = 1; ///< shadings; more than one for timing
+    Shading shading = Shading::Pixel;
 };
 
 struct Rendered {
