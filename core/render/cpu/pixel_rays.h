@@ -27,7 +27,9 @@ public:
     [[nodiscard]] Vec3d throughSample(int pixelX, int pixelY, int s) const
     {
         const int k = settings_.samplesPerAxis;
-        return through(pixelX + (s % k + 0.5) / k, pixelY + (s / k + 0.5) / k);
+        const int column = s % k;
+        const int row = s / k;
+        return through(pixelX + (column + 0.5) / k, pixelY + (row + 0.5) / k);
     }
 
 private:

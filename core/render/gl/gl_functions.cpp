@@ -50,9 +50,10 @@ GlFunctions::~GlFunctions()
         gl_.DebugMessageCallback(nullptr, nullptr);
 }
 
-void GLAD_API_PTR GlFunctions::note(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void* self)
+void GLAD_API_PTR GlFunctions::note(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
+                                    const void* self)
 {
-    auto& functions = *static_cast<GlFunctions*>(const_cast<void*>(self));
+    auto& functions = *static_cast<GlFunctions*>(const_cast<void*>(self)); // NOLINT(*-const-cast): GL's signature
     const bool matters = type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR;
     if (matters && functions.message_.empty())
         functions.message_ = trimmed(message);
