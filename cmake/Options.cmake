@@ -1,6 +1,7 @@
 # Flags that every target shares, carried by reflectance_options.
 option(REFLECTANCE_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
 option(REFLECTANCE_SANITIZE "Build with the address and undefined behaviour sanitizers" OFF)
+option(REFLECTANCE_FUZZ "Build the libFuzzer programs of the readers (Clang only)" OFF)
 option(REFLECTANCE_COVERAGE "Build for coverage reports" OFF)
 option(REFLECTANCE_BENCHMARKS "Build the benchmarks (Google Benchmark)" OFF)
 
@@ -21,6 +22,10 @@ if(REFLECTANCE_SANITIZE)
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<COMPILE_LANGUAGE:CXX>>:-Wno-maybe-uninitialized>)
   target_compile_options(reflectance_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(reflectance_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(REFLECTANCE_FUZZ)
+  # Counts which code an input reaches; the programs themselves link the fuzzer, see tests/fuzz.
+  target_compile_options(reflectance_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=fuzzer-no-link>)
 endif()
 if(REFLECTANCE_COVERAGE)
   target_compile_options(reflectance_options INTERFACE --coverage)

@@ -15,7 +15,7 @@ struct Error {
     std::string file = {}; ///< empty when no file is concerned
     long line = 0;         ///< 1-based; 0 when no line is concerned
 
-    /// "FILE:LINE: message", leaving out what is unknown.
+    /// "FILE:LINE: message", leaving out what is unknown; one line of legible length, whatever it quotes from a file.
     [[nodiscard]] std::string sentence() const;
 };
 

@@ -126,7 +126,11 @@ std::string ObjectReader::chosenName(const char* key, const std::vector<std::str
     const Json* json = find(key);
     if (!json)
         return {};
-    const std::string chosen = json->is_string() ? json->get<std::string>() : json->dump();
+    if (!json->is_string()) {
+        fail(nameOf(key) + " must be a text in quotes; choose one of: " + joined(names));
+        return {};
+    }
+    const std::string chosen = json->get<std::string>();
     if (std::find(names.begin(), names.end(), chosen) == names.end())
         fail(nameOf(key) + " is '" + chosen + "'; choose one of: " + joined(names));
     return chosen;

@@ -14,6 +14,14 @@ TEST(Result, SentenceNamesWhatIsKnownOfThePlace)
     EXPECT_EQ((Error{"wrong"}).sentence(), "wrong");
 }
 
+TEST(Result, ASentenceIsOneLineWhateverItQuotes)
+{
+    EXPECT_EQ((Error{"unknown key 'a\nb\x1b[2J'", "x\r.json", 1}).sentence(), "x?.json:1: unknown key 'a?b?[2J'");
+    const std::string longest(600, 'x');
+    EXPECT_EQ(Error{longest}.sentence(), longest);
+    EXPECT_EQ(Error{"key '" + std::string(100000, 'x') + "' is unknown"}.sentence().size(), 605U);
+}
+
 TEST(Result, MovesItsValueOut)
 {
     Result<std::unique_ptr<int>> result = std::make_unique<int>(3);

@@ -1,0 +1,79 @@
+#include "tests/fuzz/readers.h"
+
+#include "core/image/picture_file.h"
+#include "core/scene/scene_file.h"
+#include "tests/fuzz/promises.h"
+#include "tests/fuzz/seeds.h"
+
+#include <algorithm>
+
+namespace reflectance::fuzz {
+namespace {
+
+Outcome refused(const Error& error)
+{
+    const std::string broken = brokenPromise(error);
+    return {false, broken.empty() ? "" : broken + ": " + error.sentence()};
+}
+
+template <const char* name> Outcome readMeshNamed(std::string_view bytes)
+{
+    const auto mesh = readMesh(bytes, name);
+    return mesh ? Outcome{true, brokenPromise(*mesh, bytes.size())} : refused(mesh.error());
+}
+
+Outcome readPicture(std::string_view bytes)
+{
+    const auto picture = decodedPicture(bytes, "a.picture");
+    return picture ? Outcome{true, brokenPromise(picture->image, bytes.size())} : refused(picture.error());
+}
+
+/// Files that a scene names are looked for where there are none: the fuzzer reads what it is given and nothing else.
+Outcome readScene(std::string_view bytes)
+{
+    const auto scene = parseScene(bytes, "a.json", "/nonexistent");
+    return scene ? Outcome{true, brokenPromise(*scene)} : refused(scene.error());
+}
+
+Outcome readRows(std::string_view bytes)
+{
+    const auto rows = cli::parseEvalRows(bytes, "a.csv");
+    return rows ? Outcome{true, brokenPromise(*rows)} : refused(rows.error());
+}
+
+Outcome readModel(std::string_view bytes)
+{
+    static const std::vector<ModelText> earlier = [] {
+        std::vector<ModelText> texts;
+        for (const Model& model : catalogue())
+            texts.push_back(model.text);
+        return texts;
+    }();
+    const auto text = parseModelText("a", bytes, earlier);
+    return text ? Outcome{true, brokenPromise(*text)} : refused(text.error());
+}
+
+constexpr char obj[] = "a.obj", ply[] = "a.ply", off[] = "a.off", stl[] = "a.stl";
+
+} // namespace
+
+const std::vector<Reader>& readers()
+{
+    static const std::vector<Reader> all{
+        {"obj", readMeshNamed<obj>, objSeeds()}, {"ply", readMeshNamed<ply>, plySeeds()},
+        {"off", readMeshNamed<off>, offSeeds()}, {"stl", readMeshNamed<stl>, stlSeeds()},
+        {"scene", readScene, sceneSeeds()},      {"png", readPicture, pngSeeds()},
+        {"exr", readPicture, exrSeeds()},        {"pfm", readPicture, pfmSeeds()},
+        {"hdr", readPicture, hdrSeeds()},        {"rows", readRows, rowSeeds()},
+        {"model", readModel, modelSeeds()}};
+    return all;
+}
+
+const Reader* findReader(std::string_view name)
+{
+    const auto found =
+        std::find_if(readers().begin(), readers().end(), [&](const Reader& r) { return r.name == name; });
+    return found == readers().end() ? nullptr : &*found;
+}
+
+} // namespace reflectance::fuzz
