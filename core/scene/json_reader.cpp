@@ -130,7 +130,7 @@ std::string ObjectReader::chosenName(const char* key, const std::vector<std::str
         fail(nameOf(key) + " must be a text in quotes; choose one of: " + joined(names));
         return {};
     }
-    const std::string chosen = json->get<std::string>();
+    std::string chosen = json->get<std::string>();
     if (std::find(names.begin(), names.end(), chosen) == names.end())
         fail(nameOf(key) + " is '" + chosen + "'; choose one of: " + joined(names));
     return chosen;
