@@ -98,6 +98,14 @@ void saveAskedWindowPicture(Session& session)
     session.state.message = saved ? Message{"Window saved: " + *saved, false} : Message{saved.error().sentence(), true};
 }
 
+void keepSession(Session& session)
+{
+    session.autosave.watch(session.state.scene, Clock::now());
+    session.state.earlierSessions = session.autosave.earlier();
+    if (const std::optional<Error> problem = session.autosave.takeProblem())
+        session.state.message = Message{"The session is not kept against a crash: " + problem->sentence(), true};
+}
+
 void titleWindow(Session& session)
 {
     const Scene& scene = session.state.scene;
@@ -119,6 +127,7 @@ void drawOnce(Session& session)
     pollPrices(session);
     serveRequests(session);
     pollFiles(session);
+    keepSession(session);
     titleWindow(session);
 }
 
@@ -133,6 +142,7 @@ Reasons reasonsOf(const Session& session)
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),
         .untilPrices = secondsUntilPrices(session),
+        .untilAutosave = session.autosave.secondsUntilWrite(Clock::now()),
     };
 }
 
@@ -200,7 +210,9 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
     if (!preferences)
         session.state.message = Message{preferences.error().sentence(), true};
     openAtStart(session, options);
+    session.autosave.settle(session.state.scene);
     runLoop(session);
+    session.autosave.end();
     keepPreferences(session);
     return Outcome::Closed;
 }

@@ -11,7 +11,7 @@ double FramePace::secondsToWait(const Reasons& reasons) const
         return 0.0;
     constexpr double never = std::numeric_limits<double>::infinity();
     return std::max(0.0, std::min({reasons.loading ? 0.05 : never, reasons.drawSoon ? 0.1 : never, reasons.untilRefined,
-                                   reasons.untilPrices}));
+                                   reasons.untilPrices, reasons.untilAutosave}));
 }
 
 void FramePace::waited(bool somethingHappened)

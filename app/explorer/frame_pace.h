@@ -1,6 +1,8 @@
 // How long the window sleeps. It draws when something happened or something moves, and otherwise not at all.
 #pragma once
 
+#include <limits>
+
 namespace reflectance::explorer {
 
 /// What asks for another frame, seconds from now; infinity where nothing does.
@@ -10,6 +12,7 @@ struct Reasons {
     bool drawSoon = false;  ///< a panel waits for time to pass
     double untilRefined = 0.0;
     double untilPrices = 0.0;
+    double untilAutosave = std::numeric_limits<double>::infinity();
 };
 
 class FramePace {

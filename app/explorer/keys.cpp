@@ -28,15 +28,23 @@ void selectLight(ExplorerState& state, int index)
         state.selectedLight = index;
 }
 
-/// Closes what lies on top: an overlay, then loading, then a message.
+void requestForOffered(ExplorerState& state, Kind kind)
+{
+    if (const EarlierSession* offered = offeredSession(state))
+        state.requests.push_back({kind, offered->file});
+}
+
+/// Closes what lies on top: an overlay, then loading, then a message, then the offer of an earlier session.
 void escape(ExplorerState& state)
 {
     if (state.showHelp || state.showFileBrowser)
         state.showHelp = state.showFileBrowser = false;
     else if (state.loading)
         request(state, Kind::CancelLoading);
-    else
+    else if (state.message)
         state.message.reset();
+    else
+        requestForOffered(state, Kind::Dismiss);
 }
 
 void pressWithControl(const std::string& key, ExplorerState& state)
@@ -45,6 +53,8 @@ void pressWithControl(const std::string& key, ExplorerState& state)
         request(state, Kind::OpenDialog);
     else if (key == "s")
         request(state, Kind::SaveScene);
+    else if (key == "r")
+        requestForOffered(state, Kind::OpenFile);
     else if (key == "q")
         request(state, Kind::Quit);
     else if (key == "F12")

@@ -56,6 +56,7 @@ void saveScene(Session& session, std::string path)
     if (const Result<void> saved = reflectance::saveScene(session.state.scene, path); !saved)
         return complain(session, saved.error());
     session.sceneFile = path;
+    session.autosave.settle(session.state.scene);
     tell(session, "Scene saved: " + path);
 }
 
@@ -103,6 +104,9 @@ void serve(Session& session, const Request& request)
     case Kind::Quit:
         session.quit = true;
         break;
+    case Kind::Dismiss:
+        session.autosave.dismiss(request.path);
+        break;
     }
 }
 
@@ -135,8 +139,22 @@ struct TakeOver {
     }
 };
 
+/// An earlier session stays where it is until it is on screen. It has no scene file: Ctrl+S finds it a new one.
+void restore(Session& session, LoadedFile file)
+{
+    if (!file.content)
+        return complain(session, file.content.error());
+    Scene restored = std::get<Scene>(std::move(file.content).value());
+    session.autosave.adopt(file.path, session.state.scene, restored);
+    const std::string none;
+    TakeOver{session, none}(std::move(restored));
+    tell(session, "The session is restored. Ctrl+S saves it to a file of its own.");
+}
+
 void takeOver(Session& session, LoadedFile file)
 {
+    if (session.autosave.offers(file.path))
+        return restore(session, std::move(file));
     if (!file.content)
         return complain(session, file.content.error());
     session.state.message.reset();

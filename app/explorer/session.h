@@ -1,9 +1,11 @@
 // One run of the explorer: what it knows, and what works for it.
 #pragma once
 
+#include "app/explorer/autosave.h"
 #include "app/explorer/file_loader.h"
 #include "app/explorer/price_worker.h"
 #include "app/explorer/state.h"
+#include "app/explorer/user_folders.h"
 #include "app/explorer/viewport.h"
 #include "app/explorer/window.h"
 #include "core/render/gl/gl_renderer.h"
@@ -22,6 +24,7 @@ struct Session {
     Viewport viewport;
     FileLoader loader{Window::wake};
     PriceWorker prices{Window::wake};
+    Autosave autosave{stateFolder()};
 
     std::deque<std::string> toOpen;           ///< files that wait for the one being read
     std::string sceneFile;                    ///< the scene file in use; empty where there is none

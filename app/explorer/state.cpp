@@ -1,6 +1,15 @@
 #include "app/explorer/state.h"
 
+#include <algorithm>
+
 namespace reflectance::explorer {
+
+const EarlierSession* offeredSession(const ExplorerState& state)
+{
+    const auto& sessions = state.earlierSessions;
+    const auto found = std::find_if(sessions.begin(), sessions.end(), [](const auto& one) { return !one.dismissed; });
+    return found == sessions.end() ? nullptr : &*found;
+}
 
 Scene shownScene(const ExplorerState& state)
 {

@@ -26,11 +26,13 @@ struct Request {
         ResetView,
         ResetScene,
         CancelLoading,
+        Dismiss,
         Quit
     };
     Kind kind;
     /// OpenFile: a mesh, scene or environment, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
-    /// chooses a name in the pictures folder (a scene goes back to the file that it came from).
+    /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
+    /// session; OpenFile restores it.
     std::string path;
 };
 
@@ -56,6 +58,14 @@ struct Message {
     bool isError = false;
 };
 
+/// What a program that did not end left behind.
+struct EarlierSession {
+    std::string file;
+    std::string content;    ///< "mug, hybrid, 2 lights"; empty where the file cannot be read
+    std::string when;       ///< "5 minutes ago"
+    bool dismissed = false; ///< no longer offered; the Open menu has it until the program ends
+};
+
 struct ExplorerState {
     Scene scene;
     int selectedLight = 0; ///< index into scene.lights, -1 for none
@@ -68,6 +78,7 @@ struct ExplorerState {
     std::vector<Request> requests;
     std::optional<Loading> loading;
     std::optional<Message> message;
+    std::vector<EarlierSession> earlierSessions; ///< newest first
 
     // What the status line reports.
     double frameMilliseconds = 0.0;
@@ -80,6 +91,9 @@ struct ExplorerState {
     PanelMemory panels;
     bool drawSoon = false; ///< a panel waits for time to pass (tooltip, text cursor): draw again within 0.1 s
 };
+
+/// The earlier session that is offered now: the newest that has not been dismissed; null if there is none.
+[[nodiscard]] const EarlierSession* offeredSession(const ExplorerState& state);
 
 /// The scene as it is drawn: solo leaves one light on.
 [[nodiscard]] Scene shownScene(const ExplorerState& state);

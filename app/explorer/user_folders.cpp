@@ -17,13 +17,19 @@ std::string environmentVariable(const char* name)
     return value ? value : "";
 }
 
-fs::path configHome()
+/// The folder that `variable` names, else `usual` below the home folder; empty without a home.
+fs::path baseFolder(const char* variable, const char* usual)
 {
-    const fs::path given = environmentVariable("XDG_CONFIG_HOME");
+    const fs::path given = environmentVariable(variable);
     if (given.is_absolute()) // the specification says to ignore relative paths
         return given;
     const std::string home = environmentVariable("HOME");
-    return home.empty() ? fs::path() : fs::path(home) / ".config";
+    return home.empty() ? fs::path() : fs::path(home) / usual;
+}
+
+fs::path configHome()
+{
+    return baseFolder("XDG_CONFIG_HOME", ".config");
 }
 
 bool isFolder(const fs::path& path)
@@ -49,6 +55,12 @@ fs::path settingsFolder()
 {
     const fs::path config = configHome();
     return config.empty() ? config : config / "reflectance";
+}
+
+fs::path stateFolder()
+{
+    const fs::path state = baseFolder("XDG_STATE_HOME", ".local/state");
+    return state.empty() ? state : state / "reflectance";
 }
 
 fs::path picturesFolderIn(std::string_view userDirs, const std::string& home)

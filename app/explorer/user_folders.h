@@ -1,4 +1,4 @@
-// Where the desktop's conventions put settings and pictures (XDG base directories and user directories).
+// Where the desktop's conventions put settings, state and pictures (XDG base directories and user directories).
 #pragma once
 
 #include <filesystem>
@@ -9,6 +9,9 @@ namespace reflectance::explorer {
 
 /// $XDG_CONFIG_HOME or ~/.config, with "reflectance" below it; empty without a home.
 [[nodiscard]] std::filesystem::path settingsFolder();
+
+/// $XDG_STATE_HOME or ~/.local/state, with "reflectance" below it; empty without a home.
+[[nodiscard]] std::filesystem::path stateFolder();
 
 /// The user's pictures: XDG_PICTURES_DIR of user-dirs.dirs, else ~/Pictures if it is there, else home, else here.
 [[nodiscard]] std::filesystem::path picturesFolder();

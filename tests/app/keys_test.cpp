@@ -33,6 +33,25 @@ TEST(Keys, LeaveRequests)
     }
 }
 
+TEST(Keys, AnswerTheOfferOfAnEarlierSession)
+{
+    using Kind = Request::Kind;
+    ExplorerState state = stateWithLights(1);
+    press({"r", true}, state);
+    press({"Esc"}, state);
+    EXPECT_TRUE(state.requests.empty()) << "nothing is offered";
+    state.earlierSessions = {{"1.json", "", "", true}, {"2.json", "", "", false}};
+    state.message = Message{"on top", false};
+    press({"r", true}, state);
+    press({"Esc"}, state); // closes the message
+    press({"Esc"}, state);
+    ASSERT_EQ(state.requests.size(), 2U);
+    EXPECT_EQ(state.requests[0].kind, Kind::OpenFile);
+    EXPECT_EQ(state.requests[1].kind, Kind::Dismiss);
+    for (const Request& request : state.requests)
+        EXPECT_EQ(request.path, "2.json") << "the first is dismissed already";
+}
+
 TEST(Keys, SwitchAndSwitchBack)
 {
     ExplorerState state = stateWithLights(1);

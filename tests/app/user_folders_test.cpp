@@ -27,7 +27,11 @@ TEST(UserFolders, FollowTheEnvironment)
     const ScratchFolder home;
     ::setenv("HOME", home.path.c_str(), 1);
     ::unsetenv("XDG_CONFIG_HOME");
+    ::unsetenv("XDG_STATE_HOME");
     EXPECT_EQ(settingsFolder(), home.path / ".config" / "reflectance");
+    EXPECT_EQ(stateFolder(), home.path / ".local" / "state" / "reflectance");
+    ::setenv("XDG_STATE_HOME", "/var/state", 1);
+    EXPECT_EQ(stateFolder(), fs::path("/var/state/reflectance"));
     EXPECT_EQ(picturesFolder(), home.path);
     fs::create_directory(home.path / "Pictures");
     EXPECT_EQ(picturesFolder(), home.path / "Pictures");

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The window itself, under a virtual display of its own: it opens from any folder, a dragged light moves the highlight
-and nothing else, a broken mesh is no reason to stop, and Ctrl+Q ends it.
+and nothing else, a broken mesh is no reason to stop, Ctrl+Q ends it, and what a killed program leaves is restored.
 
 usage: window_test.py PROGRAM BRIGHTEST
 """
@@ -67,7 +67,7 @@ class Explorer:
         self.home = home
         self.mesh = mesh
         self.environment = dict(os.environ, DISPLAY=display.name, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"),
-                                LIBGL_ALWAYS_SOFTWARE="1")
+                                XDG_STATE_HOME=str(home / "state"), LIBGL_ALWAYS_SOFTWARE="1")
         self.process = subprocess.Popen([program, argument], cwd="/", env=self.environment)
         wait_for(self.window, f"the window appears and shows {mesh}")
 
@@ -148,6 +148,40 @@ def drags_a_light(program, brightest, display, home):
         explorer.process.kill()
 
 
+def restores_what_a_killed_program_left(program, display, home):
+    scene_file = home / "scene.json"
+    scene_file.write_text(json.dumps(SCENE))
+    explorer = Explorer(program, display, home, str(scene_file), "sphere")
+    state = home / "state/reflectance"
+    try:
+        explorer.xdotool("mousemove", *PICTURE_MIDDLE)
+        saved = explorer.saved_scene(scene_file)
+        check(not list(state.glob("*.json")), "nothing is kept of a scene that is saved")
+        explorer.drag(PICTURE_MIDDLE, STROKE)
+        explorer.xdotool("key", "m")  # the last change: once it is kept, all are
+        kept = wait_for(lambda: next((scene for scene in map(json.loads, map(pathlib.Path.read_text, state.glob("*.json")))
+                                      if scene["surface"] != saved["surface"]), None), "the session is kept")
+        check(kept["lights"] != saved["lights"], "with the light where it was dragged")
+    finally:
+        explorer.process.kill()
+        explorer.process.wait(PATIENCE)
+
+    explorer = Explorer(program, display, home, "mug", "mug")
+    try:
+        explorer.xdotool("mousemove", *PICTURE_MIDDLE)
+        explorer.mesh = "sphere"
+        explorer.xdotool("key", "ctrl+r")
+        wait_for(explorer.window, "Ctrl+R restores the session")
+        restored = json.loads(explorer.file_after("ctrl+s", ".json").read_text())
+        check(restored["lights"] == kept["lights"], "the light is where it was")
+        check(restored["surface"] == kept["surface"], "the surface is what it was")
+        check(json.loads(scene_file.read_text()) == saved, "the scene file that was open then stays as it was saved")
+        explorer.quit()
+        check(not list(state.iterdir()), "a clean end leaves nothing")
+    finally:
+        explorer.process.kill()
+
+
 def survives_a_broken_mesh(program, display, home):
     broken = home / "broken.obj"
     broken.write_text("v 0 0\nf 1 2 3\n")
@@ -165,6 +199,7 @@ def main():
     program, brightest = map(os.path.abspath, sys.argv[1:3])
     with tempfile.TemporaryDirectory() as folder, Display() as display:
         for name, test in (("drag", lambda home: drags_a_light(program, brightest, display, home)),
+                           ("killed", lambda home: restores_what_a_killed_program_left(program, display, home)),
                            ("broken", lambda home: survives_a_broken_mesh(program, display, home))):
             home = pathlib.Path(folder) / name
             home.mkdir()

@@ -31,6 +31,7 @@ inline constexpr Shortcut shortcutTable[] = {
     {"Values", "Tab, arrow keys, Space", "reach and change controls without the mouse"},
     {"Program", "Ctrl+O, or drop a file", "open a mesh, a scene or an environment"},
     {"Program", "Ctrl+S", "save the scene"},
+    {"Program", "Ctrl+R", "restore the session before a crash, while it is offered"},
     {"Program", "F12, Ctrl+F12", "save a picture of the view, of the whole window"},
     {"Program", "F1", "this page"},
     {"Program", "Esc", "close what is on top, stop loading, dismiss a message"},

@@ -1,4 +1,5 @@
 #include "app/explorer/ui/message_toast.h"
+#include "app/explorer/ui/session_offer.h"
 #include "app/explorer/ui/status_texts.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/ui/widgets.h"
@@ -96,7 +97,8 @@ void drawStatusLine(ExplorerState& state)
     }
     const ImVec2 corner = ImGui::GetWindowPos();
     drawParts(left, priceParts(state), ImGui::GetContentRegionAvail().x);
-    drawMessage(state, corner, ImGui::GetWindowWidth());
+    const float offerTop = drawSessionOffer(state, corner);
+    drawMessage(state, {corner.x, offerTop}, ImGui::GetWindowWidth());
     state.drawSoon = waitsForTime();
 }
 

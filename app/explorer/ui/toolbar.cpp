@@ -45,6 +45,20 @@ bool toolButton(Icon icon, const char* label, bool on, bool withLabel, const cha
     return pressed;
 }
 
+void listEarlierSessions(ExplorerState& state)
+{
+    if (state.earlierSessions.empty())
+        return;
+    ImGui::Separator();
+    remark("Before a crash");
+    for (const EarlierSession& session : state.earlierSessions) {
+        const std::string name = session.content.empty() ? "unreadable" : session.content;
+        if (ImGui::Selectable((name + ", " + session.when + "##" + session.file).c_str()))
+            state.requests.push_back({Kind::OpenFile, session.file});
+        tooltip("Restore this session.  " + session.file);
+    }
+}
+
 void openMenu(ExplorerState& state)
 {
     if (ImGui::Selectable("Open a file\u2026"))
@@ -61,6 +75,7 @@ void openMenu(ExplorerState& state)
     for (const std::string& name : stockMeshNames())
         if (ImGui::Selectable(name.c_str(), state.scene.meshFile == name))
             state.requests.push_back({Kind::OpenFile, name});
+    listEarlierSessions(state);
     if (state.preferences.recentFiles.empty())
         return;
     ImGui::Separator();

@@ -130,6 +130,42 @@ TEST(Bars, DrawMessagesAndLoadingAndHelpTogether)
     EXPECT_TRUE(state.showHelp && state.showFileBrowser && state.message);
 }
 
+/// The middle of the first control that the mouse meets, row by row; {0, 0} where there is none.
+ImVec2 firstControl(Stage& stage, ImVec2 from, ImVec2 to, const Stage::Draw& draw)
+{
+    for (float y = from.y; y < to.y; y += 6.0F)
+        for (float x = from.x; x < to.x; x += 6.0F) {
+            stage.moveTo({x, y});
+            stage.frame(draw);
+            if (Stage::hovered() != 0)
+                return {x + 6.0F, y + 6.0F};
+        }
+    return {};
+}
+
+TEST(Bars, OfferAnEarlierSessionBelowAMessage)
+{
+    Stage stage;
+    ExplorerState state = stateFor(catalogue().front());
+    state.earlierSessions = {{"s.json", "mug, hybrid, 2 lights", "5 minutes ago", false}};
+    const auto draw = [&] {
+        ImGui::SetNextWindowPos({0.0F, 774.0F});
+        ImGui::SetNextWindowSize({1280.0F, 26.0F});
+        ImGui::Begin("status", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+        drawStatusLine(state);
+        ImGui::End();
+    };
+    stage.frame(draw);
+    stage.frame(draw);
+    stage.click(firstControl(stage, {20.0F, 640.0F}, {200.0F, 770.0F}, draw), draw);
+    ASSERT_EQ(state.requests.size(), 1U);
+    EXPECT_EQ(state.requests[0].kind, Request::Kind::OpenFile);
+    EXPECT_EQ(state.requests[0].path, "s.json");
+    state.earlierSessions[0].dismissed = true;
+    stage.frame(draw);
+    EXPECT_EQ(firstControl(stage, {20.0F, 640.0F}, {200.0F, 770.0F}, draw).x, 0.0F) << "planted: nothing to press";
+}
+
 TEST(Panels, TakeSixtyFourLightsAndNone)
 {
     Stage stage(360.0F, 800.0F);
