@@ -1,5 +1,6 @@
 #include "core/base/file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -45,9 +46,8 @@ int writeInto(const std::string& path, std::string_view bytes, int flags, bool w
     return problem;
 }
 
-} // namespace
-
-Result<std::string> readWholeFile(const std::string& path, std::uintmax_t limit)
+/// Never opens what is no regular file: a pipe would block.
+Result<std::uintmax_t> regularFileSize(const std::string& path)
 {
     std::error_code problem;
     const fs::file_status status = fs::status(path, problem);
@@ -58,15 +58,43 @@ Result<std::string> readWholeFile(const std::string& path, std::uintmax_t limit)
     if (!fs::is_regular_file(status))
         return Error{"is not a file but a folder, device or pipe", path};
     const std::uintmax_t size = fs::file_size(path, problem);
-    if (!problem && size > limit)
-        return Error{"is larger than " + std::to_string(limit >> 20U) + " MiB, the most that is read", path};
+    if (problem)
+        return Error{"cannot be read (" + problem.message() + ")", path};
+    return size;
+}
+
+Result<std::string> firstBytes(const std::string& path, std::size_t count)
+{
     std::ifstream file(path, std::ios::binary);
-    if (problem || !file)
+    if (!file)
         return Error{"cannot be opened for reading; check its permissions", path};
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    std::string bytes(count, '\0');
+    if (!file.read(bytes.data(), static_cast<std::streamsize>(count)))
         return Error{"could not be read to its end", path};
     return bytes;
+}
+
+} // namespace
+
+Result<std::string> readWholeFile(const std::string& path, std::uintmax_t limit)
+{
+    const auto size = regularFileSize(path);
+    if (!size)
+        return size.error();
+    if (*size > limit)
+        return Error{"is larger than " + std::to_string(limit >> 20U) + " MiB, the most that is read", path};
+    return firstBytes(path, static_cast<std::size_t>(*size));
+}
+
+Result<FileHead> readFileHead(const std::string& path, std::size_t most)
+{
+    const auto size = regularFileSize(path);
+    if (!size)
+        return size.error();
+    auto bytes = firstBytes(path, static_cast<std::size_t>(std::min<std::uintmax_t>(*size, most)));
+    if (!bytes)
+        return bytes.error();
+    return FileHead{*size, *std::move(bytes)};
 }
 
 Result<void> writeAtomically(const std::string& path, std::string_view bytes)

@@ -13,6 +13,13 @@ namespace reflectance {
 [[nodiscard]] Result<std::string> readWholeFile(const std::string& path,
                                                 std::uintmax_t limit = std::uintmax_t{4} << 30U);
 
+/// How many bytes a regular file has, and the first `most` of them: to look before all is read. Refuses as above.
+struct FileHead {
+    std::uintmax_t fileSize = 0;
+    std::string bytes;
+};
+[[nodiscard]] Result<FileHead> readFileHead(const std::string& path, std::size_t most);
+
 /// Writes into a new file of the same folder, waits until it is on disk, then renames it to `path`: readers see the old
 /// file or the new one. On failure the old file stays and no other remains. A link is followed; a device such as
 /// /dev/null is written directly.

@@ -29,18 +29,18 @@ std::string_view firstWord(std::string_view text)
 
 bool isText(std::string_view bytes)
 {
-    return bytes.substr(0, 4096).find('\0') == std::string_view::npos;
+    return bytes.substr(0, headOfFile).find('\0') == std::string_view::npos;
 }
 
 /// A binary STL has an 80-byte title, a 32-bit count and 50 bytes for each triangle.
-bool hasBinaryStlSize(std::string_view bytes)
+bool hasBinaryStlSize(std::string_view bytes, std::uintmax_t fileSize)
 {
     if (bytes.size() < 84)
         return false;
     std::size_t count = 0;
     for (std::size_t i = 0; i < 4; ++i)
         count |= static_cast<std::size_t>(static_cast<unsigned char>(bytes[80 + i])) << (8 * i);
-    return bytes.size() == 84 + 50 * count;
+    return fileSize == 84 + 50 * count;
 }
 
 bool isObjWord(std::string_view word)
@@ -55,12 +55,13 @@ bool isOffWord(std::string_view word)
     return word.size() >= 3 && word.size() <= 8 && word.ends_with("OFF");
 }
 
-std::optional<Format> formatOf(std::string_view bytes, std::string_view extension)
+/// `bytes` are the file's first `headOfFile` at least.
+std::optional<Format> formatOf(std::string_view bytes, std::uintmax_t fileSize, std::string_view extension)
 {
     const std::string_view word = firstWord(bytes);
     if (word == "ply")
         return Format::Ply;
-    if (hasBinaryStlSize(bytes) && (extension == "stl" || !isText(bytes)))
+    if (hasBinaryStlSize(bytes, fileSize) && (extension == "stl" || !isText(bytes)))
         return Format::Stl;
     if (!isText(bytes))
         return extension == "stl" ? std::optional(Format::Stl) : std::nullopt;
@@ -86,7 +87,21 @@ std::optional<Error> whyNoMesh(std::string_view bytes, const std::string& file)
     return std::nullopt;
 }
 
+Error unknownFormat(const std::string& file)
+{
+    return {"is not a mesh of a known format; OBJ, PLY, OFF and STL can be read", file};
+}
+
 } // namespace
+
+std::optional<Error> whyNoMesh(const FileHead& head, std::string_view extension, const std::string& file)
+{
+    if (auto error = whyNoMesh(head.bytes, file))
+        return error;
+    // The first word of a text may stand behind longer comments than the head.
+    const bool isUnknown = !isText(head.bytes) && !formatOf(head.bytes, head.fileSize, extension);
+    return isUnknown ? std::optional(unknownFormat(file)) : std::nullopt;
+}
 
 Result<PolygonSoup> readSoup(std::string_view bytes, std::string_view extension, ReadContext& context)
 {
@@ -94,9 +109,9 @@ Result<PolygonSoup> readSoup(std::string_view bytes, std::string_view extension,
         bytes.remove_prefix(byteOrderMark.size());
     if (auto error = whyNoMesh(bytes, context.file))
         return *error;
-    const auto format = formatOf(bytes, extension);
+    const auto format = formatOf(bytes, bytes.size(), extension);
     if (!format)
-        return Error{"is not a mesh of a known format; OBJ, PLY, OFF and STL can be read", context.file};
+        return unknownFormat(context.file);
     switch (*format) {
     case Format::Obj:
         return readObj(bytes, context);
@@ -107,7 +122,7 @@ Result<PolygonSoup> readSoup(std::string_view bytes, std::string_view extension,
     case Format::Stl:
         return readStl(bytes, context);
     }
-    return Error{"is not a mesh of a known format", context.file};
+    return unknownFormat(context.file);
 }
 
 } // namespace reflectance

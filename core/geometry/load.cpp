@@ -141,6 +141,11 @@ Result<LoadedMesh> readMesh(std::string_view bytes, const std::string& name, con
 Result<LoadedMesh> loadMesh(const std::string& path, const LoadOptions& options)
 {
     try {
+        const auto head = readFileHead(path, headOfFile);
+        if (!head)
+            return head.error();
+        if (auto error = whyNoMesh(*head, extensionOf(path), path))
+            return *error;
         const auto bytes = readWholeFile(path);
         if (!bytes)
             return bytes.error();

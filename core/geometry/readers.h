@@ -2,11 +2,13 @@
 // the rest is counted in the warnings; an Error means that nothing of use could be read.
 #pragma once
 
+#include "core/base/file.h"
 #include "core/base/result.h"
 #include "core/geometry/polygon_soup.h"
 #include "core/geometry/warnings.h"
 
 #include <atomic>
+#include <optional>
 #include <string_view>
 
 namespace reflectance {
@@ -38,6 +40,12 @@ Result<PolygonSoup> readPly(std::string_view bytes, ReadContext& context);
 Result<PolygonSoup> readOff(std::string_view text, ReadContext& context);
 /// STL, ascii and binary; equal positions become one vertex.
 Result<PolygonSoup> readStl(std::string_view bytes, ReadContext& context);
+
+/// How much of a file tells whether it can be a mesh at all.
+inline constexpr std::size_t headOfFile = 4096;
+
+/// Refuses what its first `headOfFile` bytes show to be no mesh, before gigabytes are read; nothing when it may be one.
+[[nodiscard]] std::optional<Error> whyNoMesh(const FileHead& head, std::string_view extension, const std::string& file);
 
 /// Finds out the format from the contents, `extension` ("obj") breaking the tie, and reads.
 Result<PolygonSoup> readSoup(std::string_view bytes, std::string_view extension, ReadContext& context);

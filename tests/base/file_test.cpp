@@ -86,6 +86,18 @@ TEST_F(File, ADeviceIsWrittenAndStaysADevice)
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST_F(File, TheHeadIsReadWithoutTheRest)
+{
+    ASSERT_TRUE(writeAtomically(path("a"), "head and body"));
+    const auto head = readFileHead(path("a"), 4);
+    ASSERT_TRUE(head);
+    EXPECT_EQ(head->bytes, "head");
+    EXPECT_EQ(head->fileSize, 13U);
+    EXPECT_EQ(readFileHead(path("a"), 100)->bytes, "head and body");
+    EXPECT_FALSE(readFileHead(path("missing"), 4));
+    EXPECT_FALSE(readFileHead("/dev/zero", 4));
+}
+
 TEST_F(File, OnlyFilesOfBoundedSizeAreRead)
 {
     ASSERT_TRUE(writeAtomically(path("a"), "12345"));

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 
 namespace reflectance::testing {
@@ -63,6 +64,66 @@ TEST_F(LoadTest, WhatIsNoFileIsRefused)
     EXPECT_THAT(sentence((folder_ / "endless.stl").string()), HasSubstr("device"));
     EXPECT_THAT(sentence((folder_ / "nothing.obj").string()), HasSubstr("nothing.obj: there is no such file"));
     EXPECT_EQ(sentence(file("good.obj", cubeVertices() + cubeFaces())), "") << "and a file is not";
+}
+
+/// Whoever may do everything reads as nobody, who may not.
+class AsNobody {
+public:
+    AsNobody() : user_(::geteuid()) { isNobody_ = user_ != 0 || ::seteuid(nobody) == 0; }
+    ~AsNobody() { EXPECT_EQ(::seteuid(user_), 0); }
+    AsNobody(const AsNobody&) = delete;
+    AsNobody& operator=(const AsNobody&) = delete;
+    [[nodiscard]] bool isNobody() const { return isNobody_; }
+
+private:
+    static constexpr uid_t nobody = 65534;
+    uid_t user_;
+    bool isNobody_;
+};
+
+TEST_F(LoadTest, AFileWithoutPermissionIsRefused)
+{
+    const std::string secret = file("secret.obj", cubeVertices() + cubeFaces());
+    const std::string open = file("open.obj", cubeVertices() + cubeFaces());
+    fs::permissions(folder_, fs::perms(0755));
+    fs::permissions(secret, fs::perms::none);
+    const AsNobody reader;
+    ASSERT_TRUE(reader.isNobody());
+    EXPECT_THAT(sentence(secret), HasSubstr("secret.obj: cannot be opened for reading; check its permissions"));
+    EXPECT_EQ(sentence(open), "") << "and an open file is read";
+}
+
+/// 2 GB that take no place on the disk: the first bytes tell, so that memory and time are not spent on the rest.
+TEST_F(LoadTest, TwoGigabytesOfNothingAreRefusedAtOnce)
+{
+    const std::string path = file("nothing.obj", "");
+    fs::resize_file(path, std::uintmax_t{2} << 30U);
+    EXPECT_THAT(sentence(path), HasSubstr("nothing.obj: is not a mesh of a known format"));
+}
+
+/// One writer cuts the file and writes it anew while it is read again and again: each reading gets a whole cube or a
+/// sentence.
+TEST_F(LoadTest, AFileThatShrinksWhileItIsReadIsAMeshOrASentence)
+{
+    const std::string whole = std::string(1'000'000, '#') + "\n" + cubeVertices() + cubeFaces();
+    const std::string path = file("restless.obj", whole);
+    std::atomic<bool> stop = false;
+    std::thread writer([&] {
+        while (!stop) {
+            fs::resize_file(path, 10);
+            std::ofstream(path, std::ios::binary) << whole;
+        }
+    });
+    for (int i = 0; i < 100; ++i) {
+        const auto mesh = loadMesh(path);
+        if (mesh)
+            EXPECT_EQ(mesh.value().report.fileVertices, 8U);
+        else
+            EXPECT_GT(mesh.error().message.size(), 10U);
+    }
+    stop = true;
+    writer.join();
+    EXPECT_EQ(sentence(path), "") << "at rest it is read";
 }
 
 TEST_F(LoadTest, AMaterialFileIsNeverOpened)
