@@ -4,7 +4,12 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <csignal>
 #include <fstream>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
 
 namespace reflectance::explorer {
 namespace {
@@ -46,6 +51,34 @@ TEST(Preferences, ADamagedFileIsSaidByName)
         ASSERT_FALSE(loaded) << text;
         EXPECT_THAT(loaded.error().sentence(), testing::HasSubstr("preferences.json"));
     }
+}
+
+TEST(Preferences, AKillWhileWritingLeavesTheOldOrTheNew)
+{
+    const ScratchFolder scratch;
+    Preferences wide;
+    wide.windowWidth = 1600;
+    wide.recentFiles.assign(10, std::string(100'000, 'x')); // long enough to be caught half-way
+    ASSERT_TRUE(savePreferences(wide, scratch.path));
+    for (int round = 0; round < 8; ++round) {
+        const pid_t child = ::fork();
+        if (child == 0)
+            for (int width = 1000;; width = 3000 - width) {
+                wide.windowWidth = width;
+                if (!savePreferences(wide, scratch.path))
+                    ::_exit(1);
+            }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5 + 3 * round));
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        const Result<Preferences> loaded = loadPreferences(scratch.path);
+        ASSERT_TRUE(loaded) << loaded.error().sentence();
+        EXPECT_EQ(loaded->recentFiles.size(), 10U);
+        EXPECT_TRUE(savePreferences(wide, scratch.path)) << "what the kill left half-written is in the way";
+    }
+    // Planted: the same text cut short is noticed.
+    std::ofstream(scratch.path / "preferences.json") << preferencesText(wide).substr(0, 50'000);
+    EXPECT_FALSE(loadPreferences(scratch.path));
 }
 
 TEST(Preferences, ValuesOfOtherKindsAndRangesDoNoHarm)

@@ -20,7 +20,7 @@ bool button(const char* label, const char* key, const char* about)
     const bool pressed = ImGui::Button(label);
     tooltip(about);
     ImGui::SameLine(0, points(6));
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y + points(2));
+    ImGui::AlignTextToFramePadding();
     remark(key);
     return pressed;
 }
