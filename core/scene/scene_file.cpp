@@ -36,17 +36,30 @@ Json array(const Vec3d& v)
     return Json::array({v.x, v.y, v.z});
 }
 
-/// A path as the scene file writes it, and back.
+/// A path as the scene file writes it, and back. What does not lie below the folder is written from the root: the file
+/// may be read from anywhere.
 std::string relativeTo(const std::string& folder, const std::string& path)
 {
-    const fs::path relative = fs::path(path).lexically_relative(folder);
+    if (path.empty())
+        return path;
+    std::error_code failed;
+    const fs::path here = fs::current_path(failed);
+    if (failed) // the current folder has been removed
+        return path;
+    const fs::path whole = (here / path).lexically_normal();
+    const fs::path relative = whole.lexically_relative((here / folder).lexically_normal());
     const bool below = !relative.empty() && *relative.begin() != "..";
-    return below ? relative.string() : path;
+    return below ? relative.string() : whole.string();
 }
 
 std::string resolvedIn(const std::string& folder, const std::string& path)
 {
     return fs::path(path).is_absolute() ? path : (fs::path(folder) / path).lexically_normal().string();
+}
+
+bool isUtf8(const std::string& text)
+{
+    return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore)) == Json(text);
 }
 
 bool isStockMesh(const std::string& name)
@@ -214,7 +227,8 @@ std::string sceneText(const Scene& scene, const std::string& folder)
          {{"kind", nameOf(backgroundKinds, scene.background.kind)}, {"color", array(scene.background.color)}}},
         {"surface", written(scene.surface)},
         {"sensor", {{"exposure", scene.sensor.exposure}}}};
-    return json.dump(2) + "\n";
+    // File names need not be UTF-8. Here what is not is replaced; saveScene refuses it.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Result<Scene> parseScene(std::string_view text, const std::string& file, const std::string& folder)
@@ -249,6 +263,9 @@ Result<Scene> loadScene(const std::string& path)
 
 Result<void> saveScene(const Scene& scene, const std::string& path)
 {
+    for (const std::string& file : {scene.meshFile, scene.environment.file})
+        if (!isUtf8(file))
+            return Error{"a scene file cannot name this file, since its name is not UTF-8; rename it", file};
     return writeAtomically(path, sceneText(scene, fs::path(path).parent_path().string()));
 }
 

@@ -21,7 +21,7 @@ inline constexpr int sceneFormatVersion = 1;
 /// Reads a scene from text; errors name `file` and the line of a syntax error.
 [[nodiscard]] Result<Scene> parseScene(std::string_view text, const std::string& file, const std::string& folder);
 
-/// Writes the scene to a temporary file and renames it.
+/// Writes the scene to a temporary file and renames it. Refuses a mesh or environment whose name is not UTF-8.
 [[nodiscard]] Result<void> saveScene(const Scene& scene, const std::string& path);
 
 } // namespace reflectance

@@ -2,6 +2,7 @@
 #include "core/scene/scene_file.h"
 
 #include <cmath>
+#include <filesystem>
 #include <gtest/gtest.h>
 
 namespace reflectance {
@@ -47,6 +48,34 @@ TEST(SceneFile, ReadsBackWhatItWroteBitForBit)
     ASSERT_TRUE(read) << read.error().sentence();
     EXPECT_TRUE(equal(*read, scene));
     EXPECT_EQ(read->mesh->triangles.size(), scene.mesh->triangles.size());
+}
+
+TEST(SceneFile, NamesAMeshSoThatItIsFoundFromAnyFolder)
+{
+    Scene scene = defaultScene();
+    scene.meshFile = "meshes/bunny.obj";
+    const std::string here = std::filesystem::current_path().string();
+    const auto holds = [&](const std::string& folder, const std::string& mesh) {
+        return sceneText(scene, folder).find("\"mesh\": \"" + mesh + "\"") != std::string::npos;
+    };
+    EXPECT_TRUE(holds("", "meshes/bunny.obj"));
+    EXPECT_TRUE(holds(here + "/meshes", "bunny.obj"));
+    EXPECT_TRUE(holds("meshes", "bunny.obj"));
+    EXPECT_TRUE(holds("scenes", here + "/meshes/bunny.obj"));
+    EXPECT_TRUE(holds("/elsewhere", here + "/meshes/bunny.obj"));
+    EXPECT_FALSE(holds("/elsewhere", "meshes/bunny.obj")); // planted: from there it would not be found
+}
+
+TEST(SceneFile, RefusesNamesThatJsonCannotHold)
+{
+    Scene scene = defaultScene();
+    scene.meshFile = "/meshes/b\xff.obj";
+    const auto saved = saveScene(scene, testing::TempDir() + "/scene.json");
+    ASSERT_FALSE(saved);
+    EXPECT_NE(saved.error().sentence().find("not UTF-8"), std::string::npos);
+    EXPECT_FALSE(sceneText(scene, "").empty());
+    scene.meshFile = "/meshes/b\u00f6.obj";
+    EXPECT_TRUE(saveScene(scene, testing::TempDir() + "/scene.json"));
 }
 
 TEST(SceneFile, ASmallDifferenceIsADifference) // the planted fault of this suite
