@@ -20,7 +20,7 @@ namespace {
 std::size_t inputsFor(const Reader& reader)
 {
     if (reader.name == "scene")
-        return 300;
+        return 1000;
     return reader.name == "png" || reader.name == "exr" ? 2000 : 20000;
 }
 
@@ -37,7 +37,8 @@ Tally fedWithDamage(const Reader& reader)
     for (; tally.inputs < inputsFor(reader) && tally.broken.empty(); ++tally.inputs) {
         const auto& seeds = reader.seeds;
         const std::string& seed = seeds[tally.inputs % seeds.size()];
-        const Outcome outcome = reader.read(damaged(seed, seeds[random() % seeds.size()], random));
+        const std::string& other = seeds[random() % seeds.size()];
+        const Outcome outcome = reader.read(damaged(seed, other, random));
         tally.accepted += outcome.accepted ? 1 : 0;
         if (!outcome.broken.empty())
             tally.broken = "input " + std::to_string(tally.inputs) + ": " + outcome.broken;

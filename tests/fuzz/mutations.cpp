@@ -26,10 +26,20 @@ void changeBits(std::string& file, Random& random)
     }
 }
 
-/// From `at` on, up to 64 bytes.
-std::string piece(const std::string& file, std::size_t at, Random& random)
+// Each draw has a statement of its own: the order in which arguments are evaluated differs between compilers.
+
+void losePiece(std::string& file, Random& random)
 {
-    return file.substr(at, 1 + below(64, random));
+    const std::size_t at = below(file.size(), random);
+    file.erase(at, 1 + below(64, random));
+}
+
+/// Up to 64 bytes of `source`, anywhere into `file`.
+void insertPiece(std::string& file, const std::string& source, Random& random)
+{
+    const std::size_t from = below(source.size(), random);
+    const std::string piece = source.substr(from, 1 + below(64, random));
+    file.insert(below(file.size() + 1, random), piece);
 }
 
 void repeatWord(std::string& file, Random& random)
@@ -63,8 +73,10 @@ void changeFourBytes(std::string& file, Random& random)
         std::string_view("\xFF\xFF\xFF\x7F", 4), std::string_view("\0\0\0\x80", 4),
         std::string_view("\0\0\xC0\x7F", 4),     std::string_view("\0\0\x80\x7F", 4),
         std::string_view("\x7F\x80\0\0", 4),     std::string_view("\1\0\0\0", 4)};
-    if (file.size() >= 4)
-        file.replace(below(file.size() - 3, random), 4, words[below(words.size(), random)]);
+    if (file.size() < 4)
+        return;
+    const std::size_t at = below(file.size() - 3, random);
+    file.replace(at, 4, words[below(words.size(), random)]);
 }
 
 void insertOddity(std::string& file, Random& random)
@@ -72,7 +84,8 @@ void insertOddity(std::string& file, Random& random)
     static constexpr std::array<std::string_view, 12> oddities{
         "\xEF\xBB\xBF", "\xFF\xFE", std::string_view("\0", 1), "\r", "\n", "\\\n", "#", "\"", "[[[[[[[[", "{",
         "..",           "\xC3"};
-    file.insert(below(file.size() + 1, random), oddities[below(oddities.size(), random)]);
+    const std::size_t at = below(file.size() + 1, random);
+    file.insert(at, oddities[below(oddities.size(), random)]);
 }
 
 void damageOnce(std::string& file, const std::string& other, Random& random)
@@ -83,11 +96,11 @@ void damageOnce(std::string& file, const std::string& other, Random& random)
     case 1:
         return file.resize(below(file.size() + 1, random));
     case 2:
-        return void(file.erase(below(file.size(), random), 1 + below(64, random)));
+        return losePiece(file, random);
     case 3:
-        return void(file.insert(below(file.size() + 1, random), piece(file, below(file.size(), random), random)));
+        return insertPiece(file, std::string(file), random);
     case 4:
-        return void(file.insert(below(file.size() + 1, random), piece(other, below(other.size(), random), random)));
+        return insertPiece(file, other, random);
     case 5:
         return repeatWord(file, random);
     case 6:
