@@ -3,6 +3,7 @@
 #include "app/cli/report.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/verbs.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/image/compare.h"
 #include "core/image/picture_file.h"
@@ -106,6 +107,9 @@ int run(const Options& options)
     const auto format = outputFormat(options.out);
     if (!format)
         return refused(format.error());
+    for (const std::string& file : {options.out, options.json})
+        if (const auto writable = checkWritable(file); !writable && !file.empty() && file != "-")
+            return refused(writable.error());
     const auto plan = planFrom(options);
     if (!plan)
         return refused(plan.error());

@@ -117,4 +117,17 @@ Result<void> writeAtomically(const std::string& path, std::string_view bytes)
     return unwritable(path, problem);
 }
 
+Result<void> checkWritable(const std::string& path)
+{
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+        return unwritable(path, EISDIR);
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+        return {}; // a device is written directly
+    const fs::path folder = fs::path(path).parent_path();
+    if (::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
+        return unwritable(path, errno);
+    return {};
+}
+
 } // namespace reflectance

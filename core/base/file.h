@@ -25,4 +25,7 @@ struct FileHead {
 /// /dev/null is written directly.
 [[nodiscard]] Result<void> writeAtomically(const std::string& path, std::string_view bytes);
 
+/// Whether writeAtomically may succeed: the folder exists and takes files. To ask before long work, not instead of it.
+[[nodiscard]] Result<void> checkWritable(const std::string& path);
+
 } // namespace reflectance

@@ -86,6 +86,18 @@ TEST_F(File, ADeviceIsWrittenAndStaysADevice)
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST_F(File, WhereNothingCanBeWrittenIsKnownBefore)
+{
+    EXPECT_TRUE(checkWritable(path("new")));
+    EXPECT_TRUE(checkWritable("new"));
+    EXPECT_TRUE(checkWritable("/dev/null"));
+    EXPECT_FALSE(checkWritable(path("missing/new")));
+    EXPECT_FALSE(checkWritable(path("")));
+    ASSERT_TRUE(writeAtomically(path("file"), "x"));
+    EXPECT_TRUE(checkWritable(path("file")));
+    EXPECT_FALSE(checkWritable(path("file/new")));
+}
+
 TEST_F(File, TheHeadIsReadWithoutTheRest)
 {
     ASSERT_TRUE(writeAtomically(path("a"), "head and body"));
