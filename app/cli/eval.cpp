@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/reflectance/evaluate.h"
 #include "core/render/gl/gl_renderer.h"
+#include "core/render/pictures/render_picture.h"
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -67,9 +68,7 @@ Result<std::vector<Vec3d>> evaluateInGlsl(const std::vector<EvalRow>& rows, Cont
 Result<std::vector<Vec3d>> evaluateRows(const std::vector<EvalRow>& rows, const EvalOptions& options)
 {
     if (options.precision == "glsl")
-        return evaluateInGlsl(rows, options.context == "egl"      ? ContextKind::Egl
-                                    : options.context == "osmesa" ? ContextKind::OsMesa
-                                                                  : ContextKind::Any);
+        return evaluateInGlsl(rows, contextNamed(options.context));
     const Precision precision = options.precision == "float"  ? Precision::Float
                                 : options.precision == "simd" ? Precision::Simd
                                                               : Precision::Double;

@@ -1,16 +1,12 @@
 #include "core/geometry/camera.h"
 
+#include "core/math/angle.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace reflectance {
 namespace {
-
-double radians(double degrees)
-{
-    return degrees * std::numbers::pi / 180.0;
-}
 
 double halfHeight(const Camera& camera)
 {
@@ -77,7 +73,7 @@ Vec3d projected(const Camera& camera, const Vec3d& world, int width, int height)
 
 Camera orbited(const Camera& camera, double yaw, double pitch)
 {
-    constexpr double limit = 89.5 * std::numbers::pi / 180.0;
+    const double limit = radians(89.5);
     const Vec3d up = normalized(camera.up);
     const Vec3d back = frameOf(camera).back;
     const double elevation = std::clamp(std::asin(std::clamp(dot(back, up), -1.0, 1.0)) + pitch, -limit, limit);

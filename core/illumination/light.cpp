@@ -1,8 +1,8 @@
 #include "core/illumination/light.h"
 
+#include "core/math/angle.h"
+
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace reflectance {
 
@@ -20,8 +20,7 @@ Arrival arrivalAt(const Light& light, const Vec3d& point)
 
 double discOf(const Light& light)
 {
-    const double rim = 2.0 * std::sin(light.angularRadius * std::numbers::pi / 360.0);
-    return rim * rim;
+    return squaredChord(light.angularRadius);
 }
 
 } // namespace reflectance
