@@ -11,6 +11,14 @@ namespace reflectance::test {
 
 inline constexpr Precision corePrecisions[] = {Precision::Double, Precision::Float, Precision::Simd};
 
+[[nodiscard]] inline std::vector<std::string> allIds()
+{
+    std::vector<std::string> ids;
+    for (const Model& model : catalogue())
+        ids.push_back(model.id());
+    return ids;
+}
+
 [[nodiscard]] inline double unitRoundoff(Precision precision)
 {
     return precision == Precision::Double ? 0x1p-53 : 0x1p-24;

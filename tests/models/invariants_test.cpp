@@ -107,14 +107,6 @@ TEST(InvariantsThemselves, CatchAModelThatKnowsWhereUpIs)
     EXPECT_GT(worstTurn(randomCases("lambert", 200), ask, 0x1p-53), 1e6);
 }
 
-std::vector<std::string> allIds()
-{
-    std::vector<std::string> ids;
-    for (const Model& model : catalogue())
-        ids.push_back(model.id());
-    return ids;
-}
-
 INSTANTIATE_TEST_SUITE_P(Models, Invariants,
                          testing::Combine(testing::ValuesIn(allIds()), testing::ValuesIn(corePrecisions)),
                          [](const auto& given) {

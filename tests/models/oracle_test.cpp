@@ -50,7 +50,7 @@ TEST_P(EveryModel, StaysWithinTheBoundOfItsArithmetic)
 }
 
 INSTANTIATE_TEST_SUITE_P(Oracle, EveryModel,
-                         testing::Combine(testing::Values("lambert", "lambert_color", "mirror", "phong", "hybrid"),
+                         testing::Combine(testing::ValuesIn(allIds()),
                                           testing::Values(Precision::Double, Precision::Float, Precision::Simd)),
                          [](const auto& given) {
                              return std::get<0>(given.param) + "_" + std::string(nameOf(std::get<1>(given.param)));

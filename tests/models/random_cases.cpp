@@ -44,6 +44,25 @@ double randomExponent(Dice& dice, std::size_t row)
     return row % 2 == 0 ? std::round(n) : n;
 }
 
+/// Both grazing; the azimuth undefined or nearly so.
+void setCorners(Dice& dice, std::size_t row, OracleCase& c)
+{
+    constexpr double rightAngle = std::numbers::pi / 2;
+    const double elevation = dice.logUniform(1e-12, 0.1);
+    const double other = dice.logUniform(1e-12, 0.1);
+    const double azimuth = dice.uniform(0.0, 2.0 * std::numbers::pi);
+    // Beside each other, opposite, or anywhere between.
+    const double apart = row % 3 == 0 ? dice.logUniform(1e-12, 1.0) : dice.uniform(0.0, 2.0 * std::numbers::pi);
+    if (row % 8 == 3) {
+        c.L = tilted(c.N, rightAngle - elevation, azimuth);
+        c.V = tilted(c.N, rightAngle - other, azimuth + (row % 16 == 3 ? apart : std::numbers::pi + apart));
+    } else if (row % 16 == 7) {
+        c.V = row % 32 == 7 ? c.N : tilted(c.N, elevation, azimuth);
+    } else if (row % 16 == 15) {
+        c.L = row % 32 == 15 ? c.N : tilted(c.N, elevation, azimuth);
+    }
+}
+
 void setDirections(Dice& dice, std::size_t row, OracleCase& c)
 {
     constexpr double rightAngle = std::numbers::pi / 2;
@@ -58,6 +77,7 @@ void setDirections(Dice& dice, std::size_t row, OracleCase& c)
     c.V = dice.above(c.N);
     if (row % 2 == 0)
         c.V = tilted(normalized(mirrored(c.N, c.L)), offset, azimuth);
+    setCorners(dice, row, c);
     c.N = dice.logUniform(1e-200, 1e200) * c.N;
     c.L = dice.logUniform(1e-200, 1e200) * c.L;
     c.V = dice.logUniform(1e-200, 1e200) * c.V;
@@ -90,7 +110,9 @@ std::vector<OracleCase> randomCases(const std::string& model, std::size_t count)
                         {"reflectance", {dice.uniform(0.0, 1.5)}},
                         {"ks", {dice.uniform(0.0, 2.0)}},
                         {"n", {randomExponent(dice, row)}},
-                        {"K", K}};
+                        {"K", K},
+                        {"rho", {dice.uniform(0.0, 1.0), dice.uniform(0.0, 1.0), dice.uniform(0.0, 1.0)}},
+                        {"sigma", {row % 20 == 0 ? 0.0 : dice.logUniform(1e-3, 1e3)}}};
     }
     return cases;
 }

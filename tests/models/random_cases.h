@@ -7,8 +7,9 @@
 
 namespace reflectance::test {
 
-/// Directions everywhere, at grazing light, and at offsets of 1e-8 to 1.6 rad from the highlight's peak; vectors from
-/// 1e-200 to 1e200 long; n from 0 to 1e7, half of them integers; entries of K of both signs. The same rows every time.
+/// Directions everywhere, at grazing light, light and viewer both grazing, one of them at N, and at offsets of 1e-8 to
+/// 1.6 rad from the highlight's peak; vectors from 1e-200 to 1e200 long; n from 0 to 1e7, half of them integers; entries
+/// of K of both signs. The same rows every time.
 [[nodiscard]] std::vector<OracleCase> randomCases(const std::string& model, std::size_t count);
 
 /// A unit vector that lies `angle` radians from the unit vector v, towards a direction chosen by `azimuth`.
