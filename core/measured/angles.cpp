@@ -1,0 +1,87 @@
+#include "core/measured/angles.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace reflectance {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Angle from N: exact at the pole and at the horizon, where an arc cosine loses half of its digits.
+double polarAngle(const Vec3d& v)
+{
+    return std::atan2(std::hypot(v.x, v.y), v.z);
+}
+
+double azimuthBetween(const Vec3d& L, const Vec3d& V)
+{
+    return std::atan2(L.x * V.y - L.y * V.x, L.x * V.x + L.y * V.y);
+}
+
+/// Rotates by phi about z.
+Vec3d turned(const Vec3d& v, double phi)
+{
+    const double c = std::cos(phi);
+    const double s = std::sin(phi);
+    return {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
+}
+
+/// Rotates by theta from z towards x.
+Vec3d tilted(const Vec3d& v, double theta)
+{
+    const double c = std::cos(theta);
+    const double s = std::sin(theta);
+    return {c * v.x + s * v.z, v.y, c * v.z - s * v.x};
+}
+
+Angles halfDifferenceOf(const Vec3d& L, const Vec3d& V)
+{
+    const Vec3d sum = L + V;
+    const Vec3d H = normalized(sum);
+    const double phi = std::atan2(H.y, H.x);
+    const double theta = polarAngle(H);
+    const Vec3d d = tilted(turned(L, -phi), -theta);
+    const double azimuth = std::atan2(d.y, d.x);
+    return {theta, std::atan2(length(L - V), length(sum)), azimuth < 0.0 ? azimuth + pi : azimuth};
+}
+
+} // namespace
+
+std::span<const std::string_view> angleNames(AngleSystem system)
+{
+    static constexpr std::string_view directions[] = {"theta_i", "theta_r", "delta_phi"};
+    static constexpr std::string_view halves[] = {"theta_h", "theta_d", "phi_d"};
+    if (system == AngleSystem::HalfDifference)
+        return halves;
+    return std::span(directions).first(system == AngleSystem::Polar ? 2 : 3);
+}
+
+double largestAngle(AngleSystem system, std::size_t axis)
+{
+    if (axis < 2)
+        return pi / 2.0;
+    return system == AngleSystem::HalfDifference ? pi : 2.0 * pi;
+}
+
+Angles anglesOf(AngleSystem system, const Vec3d& L, const Vec3d& V)
+{
+    if (system == AngleSystem::HalfDifference)
+        return halfDifferenceOf(L, V);
+    return {polarAngle(L), polarAngle(V), system == AngleSystem::Polar ? 0.0 : azimuthBetween(L, V)};
+}
+
+Vec3d directionAt(double theta, double phi)
+{
+    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+DirectionPair directionsAt(AngleSystem system, const Angles& at)
+{
+    if (system != AngleSystem::HalfDifference)
+        return {directionAt(at[0], 0.0), directionAt(at[1], at[2])};
+    const Vec3d d = directionAt(at[1], at[2]);
+    return {tilted(d, at[0]), tilted({-d.x, -d.y, d.z}, at[0])};
+}
+
+} // namespace reflectance
