@@ -4,6 +4,7 @@
 #include "app/cli/verbs.h"
 #include "core/base/text.h"
 #include "core/image/compare.h"
+#include "core/image/perceived.h"
 #include "core/image/picture_file.h"
 
 #include <cmath>
@@ -20,7 +21,7 @@ struct Pair {
 
 constexpr const char* channelNames[] = {"red", "green", "blue"};
 
-void printTable(const Pair& pair, const Comparison& c)
+void printTable(const Pair& pair, const Comparison& c, const PerceivedDifference& seen)
 {
     const auto row = [](const char* name, double value) { std::printf("%-28s %.6g\n", name, value); };
     std::printf("%-28s %d x %d\n", "size", pair.a.image.width, pair.a.image.height);
@@ -34,13 +35,17 @@ void printTable(const Pair& pair, const Comparison& c)
     row("RMSE", c.rmse);
     row("mean abs", c.meanAbs);
     row(("max relative (floor " + shortest(relativeFloor) + ")").c_str(), c.maxRelative);
+    row("dE2000 mean", seen.deltaEMean);
+    row("dE2000 95th percentile", seen.deltaEP95);
+    row("dE2000 max", seen.deltaEMax);
+    row("FLIP mean", seen.flipMean);
     std::printf("%-28s %zu of %zu\n", "pixels that differ", c.differing, pair.a.image.pixels());
     std::printf("%-28s %zu and %zu\n", "negative pixels", c.a.negative, c.b.negative);
     std::printf("%-28s %zu and %zu\n", "non-finite pixels", c.a.nonFinite, c.b.nonFinite);
 }
 
 /// Infinite figures become null: JSON has no infinity.
-nlohmann::ordered_json described(const Pair& pair, const Comparison& c)
+nlohmann::ordered_json described(const Pair& pair, const Comparison& c, const PerceivedDifference& seen)
 {
     const auto odd = [](const OddPixels& p) {
         return nlohmann::ordered_json{{"negative", p.negative}, {"non_finite", p.nonFinite}};
@@ -55,6 +60,10 @@ nlohmann::ordered_json described(const Pair& pair, const Comparison& c)
             {"mean_abs", c.meanAbs},
             {"max_relative", c.maxRelative},
             {"relative_floor", relativeFloor},
+            {"de2000_mean", seen.deltaEMean},
+            {"de2000_p95", seen.deltaEP95},
+            {"de2000_max", seen.deltaEMax},
+            {"flip_mean", seen.flipMean},
             {"differing_pixels", c.differing},
             {"a", odd(c.a)},
             {"b", odd(c.b)}};
@@ -90,9 +99,10 @@ int comparePictures(const std::string& a, const std::string& b, const CompareOpt
         return refused(comparison.error());
     if (const auto written = writeMap(pair, *comparison, options); !written)
         return refused(written.error());
+    const PerceivedDifference seen = PerceivedReference(pair.a.image).to(pair.b.image);
     if (options.json != "-")
-        printTable(pair, *comparison);
-    if (const auto written = writeReport(options.json, described(pair, *comparison)); !written)
+        printTable(pair, *comparison, seen);
+    if (const auto written = writeReport(options.json, described(pair, *comparison, seen)); !written)
         return refused(written.error());
     return comparison->maxAbs <= options.threshold.value_or(HUGE_VAL) ? Done : DoesNotHold;
 }
