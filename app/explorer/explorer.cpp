@@ -33,27 +33,57 @@ void beginArea(const char* name, const Area& area, ImGuiWindowFlags more, bool p
     ImGui::SetNextWindowSize({std::max(1.0F, area.width), std::max(1.0F, area.height)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize,
+                        {1.0F, 1.0F}); // bars are thinner than windows may be by themselves
     if (!padded)
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
     ImGui::Begin(name, nullptr, fixedWindow | more);
-    ImGui::PopStyleVar(padded ? 2 : 3);
+    ImGui::PopStyleVar(padded ? 3 : 4);
+}
+
+/// A bar that the mouse takes hold of, with a line along its middle. True while it is held.
+bool drawBar(const char* name, const Area& area, ImGuiMouseCursor cursor, float scale)
+{
+    beginArea(name, area, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
+    ImGui::InvisibleButton("##grip", {std::max(1.0F, area.width), std::max(1.0F, area.height)});
+    const bool held = ImGui::IsItemActive();
+    const bool touched = ImGui::IsItemHovered() || held;
+    if (touched)
+        ImGui::SetMouseCursor(cursor);
+    const ImU32 color = ImGui::GetColorU32(touched ? ImGuiCol_SeparatorHovered : ImGuiCol_Separator);
+    const float thickness = touched ? 2.0F * scale : 1.0F;
+    const ImVec2 middle{std::round(area.x + 0.5F * area.width), std::round(area.y + 0.5F * area.height)};
+    if (area.height > area.width)
+        ImGui::GetWindowDrawList()->AddLine({middle.x, area.y}, {middle.x, area.bottom()}, color, thickness);
+    else
+        ImGui::GetWindowDrawList()->AddLine({area.x, middle.y}, {area.right(), middle.y}, color, thickness);
+    ImGui::End();
+    return held;
 }
 
 void drawSplitter(ExplorerState& state, const Area& area, float windowWidth, float scale)
 {
-    beginArea("##splitter", area, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
-    ImGui::InvisibleButton("##grip", {std::max(1.0F, area.width), std::max(1.0F, area.height)});
-    const bool touched = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    if (touched)
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (ImGui::IsItemActive()) {
-        const float wanted = (windowWidth - ImGui::GetIO().MousePos.x - 0.5F * area.width) / scale;
-        state.preferences.panelWidth = allowedPanelWidth(wanted, windowWidth, scale);
+    if (!drawBar("##splitter", area, ImGuiMouseCursor_ResizeEW, scale))
+        return;
+    const float wanted = (windowWidth - ImGui::GetIO().MousePos.x - 0.5F * area.width) / scale;
+    state.preferences.panelWidth = allowedPanelWidth(wanted, windowWidth, scale);
+}
+
+/// The workbench below the picture, the grip that sizes it, and its tabs.
+void drawBench(ExplorerState& state, const Layout& layout, float scale)
+{
+    beginArea("##tabs", layout.tabs, ImGuiWindowFlags_NoScrollWithMouse, false);
+    drawWorkbenchTabs(state);
+    ImGui::End();
+    if (layout.workbench.height <= 0.0F)
+        return;
+    if (drawBar("##bench grip", layout.grip, ImGuiMouseCursor_ResizeNS, scale)) {
+        const float room = layout.workbench.bottom() - layout.picture.y - layout.tabs.height;
+        const float wanted = layout.workbench.bottom() - ImGui::GetIO().MousePos.y - 0.5F * layout.grip.height;
+        state.preferences.workbenchHeight = allowedWorkbenchHeight(wanted / scale, room, scale);
     }
-    const float middle = std::round(area.x + 0.5F * area.width);
-    const ImU32 color = ImGui::GetColorU32(touched ? ImGuiCol_SeparatorHovered : ImGuiCol_Separator);
-    ImGui::GetWindowDrawList()->AddLine({middle, area.y}, {middle, area.bottom()}, color,
-                                        touched ? 2.0F * scale : 1.0F);
+    beginArea("##workbench", layout.workbench, ImGuiWindowFlags_None, true);
+    drawWorkbench(state);
     ImGui::End();
 }
 
@@ -63,8 +93,10 @@ void drawInterface(Session& session)
     const float scale = session.window.scale();
     const ViewSize size = session.window.size();
     const auto width = static_cast<float>(size.width);
-    const Layout layout = layoutOf(width, static_cast<float>(size.height), {toolbarHeight(), statusLineHeight()},
-                                   state.preferences.panelWidth, scale);
+    const Wishes wishes{state.preferences.panelWidth,
+                        workbenchIsOpen(state) ? state.preferences.workbenchHeight : 0.0F};
+    const Layout layout = layoutOf(width, static_cast<float>(size.height),
+                                   {toolbarHeight(), statusLineHeight(), workbenchTabsHeight()}, wishes, scale);
     beginArea("##toolbar", layout.toolbar, ImGuiWindowFlags_NoScrollWithMouse, true);
     drawToolbar(state);
     ImGui::End();
@@ -75,11 +107,32 @@ void drawInterface(Session& session)
     beginArea("##view", layout.picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
     drawViewport(state, session.viewport, session.renderer, layout.picture, session.window.pixelsPerPoint(), scale);
     ImGui::End();
+    drawBench(state, layout, scale);
     beginArea("##status", layout.status, ImGuiWindowFlags_NoScrollWithMouse, true);
     drawStatusLine(state);
     ImGui::End();
     drawHelp(state);
     drawFileBrowser(state);
+}
+
+/// The renderer that studies draw with; null, and said, where GL refuses.
+GlRenderer* benchOf(Session& session)
+{
+    if (session.bench)
+        return &*session.bench;
+    Result<GlRenderer> made = GlRenderer::create(Window::loader());
+    if (!made) {
+        session.state.message = Message{made.error().sentence(), true};
+        return nullptr;
+    }
+    return &session.bench.emplace(*std::move(made));
+}
+
+void tryNextHazard(Session& session)
+{
+    if (session.state.extremes.running)
+        session.state.extremes.step(
+            programInstruments(benchOf(session), "the window's driver gave no second renderer"));
 }
 
 void turnTable(Session& session, double seconds)
@@ -127,6 +180,7 @@ void drawOnce(Session& session)
     pollPrices(session);
     serveRequests(session);
     pollFiles(session);
+    tryNextHazard(session);
     keepSession(session);
     titleWindow(session);
 }
@@ -136,7 +190,7 @@ Reasons reasonsOf(const Session& session)
     const auto untilRefined = session.viewport.cameraMoved + restBeforeRefining(session.viewport) - Clock::now();
     const bool refine = session.viewport.refinementOwed && !session.viewport.dragging();
     return {
-        .animating = session.state.turntable || session.windowPicture.has_value(),
+        .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running,
         .loading = session.state.loading.has_value() || !session.toOpen.empty(),
         .drawSoon = session.state.drawSoon,
         .untilRefined =

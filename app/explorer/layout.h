@@ -1,4 +1,5 @@
-// Where things stand in the window: toolbar above, picture left, panels right, status line below.
+// Where things stand in the window: toolbar above, picture left with the workbench below it, panels right, status line at
+// the foot.
 #pragma once
 
 namespace reflectance::explorer {
@@ -13,18 +14,30 @@ struct Area {
 
 struct Layout {
     Area toolbar, picture, splitter, panels, status;
+    Area tabs;      ///< of the workbench: a strip below the picture
+    Area grip;      ///< moves the workbench's upper edge; no height while it is closed
+    Area workbench; ///< no height while it is closed
 };
 
-/// Heights of the two bars, in points.
+/// Heights of the bars, in points.
 struct Bars {
-    float toolbar = 0.0F, status = 0.0F;
+    float toolbar = 0.0F, status = 0.0F, tabs = 0.0F;
 };
 
-/// `panelWidth` is at scale 1. Where the window has room for both, the panels keep at least 280 and the picture at
-/// least 240 points times the scale.
-[[nodiscard]] Layout layoutOf(float width, float height, Bars bars, float panelWidth, float scale);
+/// What the user has pulled the two inner edges to, at scale 1.
+struct Wishes {
+    float panelWidth = 360.0F;
+    float workbenchHeight = 0.0F; ///< 0: closed
+};
+
+/// Where the window has room for both, the panels keep at least 280 and the picture at least 240 x 120 points times the
+/// scale.
+[[nodiscard]] Layout layoutOf(float width, float height, Bars bars, Wishes wishes, float scale);
 
 /// The width within which the splitter moves the panels, at scale 1.
 [[nodiscard]] float allowedPanelWidth(float wanted, float windowWidth, float scale);
+
+/// The height within which the grip moves the workbench, at scale 1; `room` is what picture and workbench share.
+[[nodiscard]] float allowedWorkbenchHeight(float wanted, float room, float scale);
 
 } // namespace reflectance::explorer

@@ -45,6 +45,9 @@ Result<Preferences> parsePreferences(std::string_view text, const std::string& f
     read(object, "windowWidth", preferences.windowWidth, 320, 16384);
     read(object, "windowHeight", preferences.windowHeight, 240, 16384);
     read(object, "panelWidth", preferences.panelWidth, 100.0F, 4000.0F);
+    read(object, "workbenchHeight", preferences.workbenchHeight, 100.0F, 4000.0F);
+    if (const auto page = object.find("workbenchPage"); page != object.end() && page->is_string())
+        preferences.workbenchPage = page->get<std::string>();
     read(object, "interfaceScale", preferences.interfaceScale, 0.0F, 4.0F);
     read(object, "samplesPerAxis", preferences.samplesPerAxis, 1, 8);
     read(object, "showLightHandles", preferences.showLightHandles);
@@ -59,9 +62,10 @@ Result<Preferences> parsePreferences(std::string_view text, const std::string& f
 std::string preferencesText(const Preferences& preferences)
 {
     const json object{
-        {"windowWidth", preferences.windowWidth},       {"windowHeight", preferences.windowHeight},
-        {"panelWidth", preferences.panelWidth},         {"interfaceScale", preferences.interfaceScale},
-        {"samplesPerAxis", preferences.samplesPerAxis}, {"showLightHandles", preferences.showLightHandles},
+        {"windowWidth", preferences.windowWidth},         {"windowHeight", preferences.windowHeight},
+        {"panelWidth", preferences.panelWidth},           {"interfaceScale", preferences.interfaceScale},
+        {"workbenchHeight", preferences.workbenchHeight}, {"workbenchPage", preferences.workbenchPage},
+        {"samplesPerAxis", preferences.samplesPerAxis},   {"showLightHandles", preferences.showLightHandles},
         {"recentFiles", preferences.recentFiles},
     };
     // A file name need not be UTF-8; what is not is replaced rather than refused.

@@ -61,7 +61,9 @@ void pollPrices(Session& session)
         return;
     session.pricedPicture = session.viewport.pictures;
     if (std::optional<DrawnByGl> drawn = drawnByGl(session))
-        session.prices.start(shownScene(session.state), std::move(*drawn));
+        session.prices.start([scene = shownScene(session.state), drawn = std::move(*drawn)](Progress& progress) {
+            return measuredPrices(scene, drawn, progress);
+        });
 }
 
 } // namespace reflectance::explorer

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "app/explorer/autosave.h"
+#include "app/explorer/background.h"
 #include "app/explorer/file_loader.h"
-#include "app/explorer/price_worker.h"
+#include "app/explorer/measured_prices.h"
 #include "app/explorer/state.h"
 #include "app/explorer/user_folders.h"
 #include "app/explorer/viewport.h"
@@ -23,12 +24,13 @@ struct Session {
     ExplorerState state;
     Viewport viewport;
     FileLoader loader{Window::wake};
-    PriceWorker prices{Window::wake};
+    Background<Prices> prices{Window::wake};
     Autosave autosave{stateFolder()};
 
     std::deque<std::string> toOpen;           ///< files that wait for the one being read
     std::string sceneFile;                    ///< the scene file in use; empty where there is none
     std::optional<std::string> windowPicture; ///< where to save the frame being drawn; empty chooses a name
+    std::optional<GlRenderer> bench; ///< draws for studies, so that the picture's own buffers stay; made when needed
     bool quit = false;
 
     std::uint64_t pricedPicture = 0;  ///< Viewport::pictures when the prices were last asked for

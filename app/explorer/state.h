@@ -2,6 +2,7 @@
 // frame loop draws it. No GL and no ImGui in here.
 #pragma once
 
+#include "app/explorer/extremes_study.h"
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
@@ -40,8 +41,10 @@ struct Request {
 struct Preferences {
     std::deque<std::string> recentFiles; ///< newest first, at most 10
     int windowWidth = 1280, windowHeight = 800;
-    float panelWidth = 360.0F;   ///< of the panels, in points
-    float interfaceScale = 0.0F; ///< 0: from the monitor
+    float panelWidth = 360.0F;      ///< of the panels, in points
+    float interfaceScale = 0.0F;    ///< 0: from the monitor
+    float workbenchHeight = 280.0F; ///< while a page is open, in points
+    std::string workbenchPage;      ///< id of the open page; empty while the workbench is closed
     int samplesPerAxis = 2;
     bool showLightHandles = true;
 };
@@ -86,6 +89,8 @@ struct ExplorerState {
     std::vector<PriceTag> priceTags; ///< of the current scene; empty while being measured
     bool measuringPrices = false;
     std::optional<SensorCounts> sensorCounts; ///< of the last picture; none where they were not counted
+
+    ExtremesStudy extremes;
 
     // Between the panels and the frame loop.
     PanelMemory panels;

@@ -22,7 +22,8 @@ SCENE = {
     "lights": [{"kind": "directional", "direction": [0, 0, 1], "intensity": [1, 1, 1]}],
     "surface": {"model": "hybrid", "parameters": {"ks": [0.5], "n": [60]}},
 }
-PICTURE_MIDDLE = (457, 409)  # of a window of 1280 x 800 with panels 360 wide, a toolbar of 44 and a status line of 26
+# of a window of 1280 x 800 with panels 360 wide, a toolbar of 44, tabs of 28 and a status line of 26
+PICTURE_MIDDLE = (457, 395)
 STROKE = (150, -100)
 
 

@@ -25,6 +25,16 @@ void drawToolbar(ExplorerState& state);
 void drawStatusLine(ExplorerState& state);
 [[nodiscard]] float statusLineHeight();
 
+/// The strip of tabs below the picture: a click opens a page of the workbench, a click on the open one closes it.
+void drawWorkbenchTabs(ExplorerState& state);
+[[nodiscard]] float workbenchTabsHeight();
+
+/// The open page of the workbench in the current window; nothing while it is closed.
+void drawWorkbench(ExplorerState& state);
+
+/// True while a page is open; a page that this program does not know counts as none.
+[[nodiscard]] bool workbenchIsOpen(const ExplorerState& state);
+
 /// The table of gestures and keys over everything else, while state.showHelp.
 void drawHelp(ExplorerState& state);
 

@@ -5,11 +5,11 @@
 #include "core/image/image.h"
 #include "core/reflectance/observation.h"
 #include "core/reflectance/precision.h"
+#include "core/render/progress.h"
 #include "core/render/settings.h"
 #include "core/render/view_samples.h"
 #include "core/scene/scene.h"
 
-#include <atomic>
 #include <memory>
 #include <span>
 
@@ -19,12 +19,6 @@ namespace reflectance {
 /// recomputed in double from the mesh (Embree's float u and v cost 1e-4 in the normal).
 class RayScene;
 [[nodiscard]] std::shared_ptr<const RayScene> makeRayScene(std::shared_ptr<const Mesh> mesh);
-
-/// Lets another thread watch long work and stop it.
-struct Progress {
-    std::atomic<double> done{0.0}; ///< 0 .. 1
-    std::atomic<bool> cancel{false};
-};
 
 [[nodiscard]] ViewSamples sampleView(const RayScene& rays, const Camera& camera, const RenderSettings& settings,
                                      Progress* progress = nullptr);

@@ -1,6 +1,6 @@
 // The price tags of a view: double against itself is exact, the others are as far off as their precision says, and a
 // wrong picture shows.
-#include "app/explorer/price_worker.h"
+#include "app/explorer/measured_prices.h"
 
 #include <gmock/gmock.h>
 
@@ -59,13 +59,6 @@ TEST(Prices, GiveUpWhenCancelled)
     Progress progress;
     progress.cancel = true;
     EXPECT_FALSE(measuredPrices(scene, drawn, progress));
-
-    PriceWorker worker([] {});
-    worker.start(scene, drawn);
-    EXPECT_TRUE(worker.busy());
-    worker.cancel();
-    EXPECT_FALSE(worker.busy());
-    EXPECT_FALSE(worker.take());
 }
 
 } // namespace

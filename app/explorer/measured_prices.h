@@ -7,8 +7,6 @@
 #include "core/sensor/sensor.h"
 #include "core/study/price_tag.h"
 
-#include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,24 +22,6 @@ struct DrawnByGl {
 struct Prices {
     std::vector<PriceTag> tags;
     SensorCounts counts; ///< of GL's picture
-};
-
-class PriceWorker {
-public:
-    explicit PriceWorker(std::function<void()> wake);
-    ~PriceWorker();
-    PriceWorker(const PriceWorker&) = delete;
-    PriceWorker& operator=(const PriceWorker&) = delete;
-
-    void start(Scene scene, DrawnByGl drawn);
-    void cancel();
-    [[nodiscard]] bool busy() const;
-    [[nodiscard]] std::optional<Prices> take(); ///< the result, once; never a cancelled one
-
-private:
-    struct Job;
-    std::function<void()> wake_;
-    std::unique_ptr<Job> job_;
 };
 
 /// The measurement itself; nothing where `progress` was cancelled.

@@ -1,12 +1,10 @@
-#include "app/explorer/price_worker.h"
+#include "app/explorer/measured_prices.h"
 
 #include "core/image/compare.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <future>
-#include <thread>
 
 namespace reflectance::explorer {
 namespace {
@@ -75,56 +73,6 @@ std::optional<Prices> measuredPrices(const Scene& scene, const DrawnByGl& drawn,
                    tagOf("simd", lanes, exact.image, covered),
                    tagOf("gl", {drawn.linear, drawn.milliseconds}, exact.image, covered)};
     prices.counts = develop(drawn.linear, scene.sensor).counts;
-    return prices;
-}
-
-struct PriceWorker::Job {
-    Scene scene;
-    DrawnByGl drawn;
-    Progress progress;
-    std::promise<std::optional<Prices>> promise;
-    std::future<std::optional<Prices>> future = promise.get_future();
-    std::jthread thread; // last: joined before what it uses goes
-};
-
-PriceWorker::PriceWorker(std::function<void()> wake) : wake_(std::move(wake)) {}
-
-PriceWorker::~PriceWorker()
-{
-    cancel();
-}
-
-void PriceWorker::start(Scene scene, DrawnByGl drawn)
-{
-    cancel();
-    job_ = std::make_unique<Job>();
-    job_->scene = std::move(scene);
-    job_->drawn = std::move(drawn);
-    job_->thread = std::jthread([this, job = job_.get()] {
-        job->promise.set_value(measuredPrices(job->scene, job->drawn, job->progress));
-        wake_();
-    });
-}
-
-// Joining is short: shading looks at the flag for each of its tiles.
-void PriceWorker::cancel()
-{
-    if (job_)
-        job_->progress.cancel = true;
-    job_.reset();
-}
-
-bool PriceWorker::busy() const
-{
-    return job_ != nullptr;
-}
-
-std::optional<Prices> PriceWorker::take()
-{
-    if (!job_ || job_->future.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-        return std::nullopt;
-    std::optional<Prices> prices = job_->future.get();
-    job_.reset();
     return prices;
 }
 

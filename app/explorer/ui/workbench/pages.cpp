@@ -1,0 +1,16 @@
+#include "app/explorer/ui/workbench/page.h"
+
+#include "app/explorer/ui/workbench/extremes_page.h"
+
+namespace reflectance::explorer {
+
+std::span<const WorkbenchPage> workbenchPages()
+{
+    static constexpr WorkbenchPage pages[] = {
+        {"extremes", "Extremes", "The inputs at which reflectance code breaks, tried on this machine.",
+         drawExtremesPage},
+    };
+    return pages;
+}
+
+} // namespace reflectance::explorer
