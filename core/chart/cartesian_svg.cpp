@@ -1,0 +1,128 @@
+#include "core/chart/svg_writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reflectance {
+namespace {
+
+using Anchor = SvgWriter::Anchor;
+constexpr SvgWriter::Stroke grid{.color = 0xE2E2E2};
+constexpr SvgWriter::Stroke frame{.color = 0x808080};
+
+/// The inner rectangle, in pixels.
+struct Field {
+    double left, top, right, bottom;
+
+    [[nodiscard]] double x(const Axis& axis, double value) const
+    {
+        return left + shareAlong(axis, value) * (right - left);
+    }
+    [[nodiscard]] double y(const Axis& axis, double value) const
+    {
+        return bottom - shareAlong(axis, value) * (bottom - top);
+    }
+};
+
+std::size_t legendLines(const Chart& chart)
+{
+    return static_cast<std::size_t>(std::count_if(chart.series.begin(), chart.series.end(),
+                                                  [](const Series& series) { return !series.name.empty(); }));
+}
+
+void drawAxes(SvgWriter& svg, const Chart& chart, const Field& field)
+{
+    for (const Tick& tick : ticksOf(chart.x, static_cast<int>((field.right - field.left) / 70.0))) {
+        const double x = field.x(chart.x, tick.value);
+        svg.line(x, field.top, x, field.bottom, grid);
+        svg.text(x, field.bottom + 16, tick.text, Anchor::Middle, 11);
+    }
+    for (const Tick& tick : ticksOf(chart.y, static_cast<int>((field.bottom - field.top) / 40.0))) {
+        const double y = field.y(chart.y, tick.value);
+        svg.line(field.left, y, field.right, y, grid);
+        svg.text(field.left - 6, y + 4, tick.text, Anchor::End, 11);
+    }
+    svg.line(field.left, field.top, field.left, field.bottom, frame);
+    svg.line(field.left, field.bottom, field.right, field.bottom, frame);
+    svg.text((field.left + field.right) / 2, field.bottom + 34, chart.x.label, Anchor::Middle);
+    svg.text(14, (field.top + field.bottom) / 2, chart.y.label, Anchor::Middle, 12, 0x303030, -90);
+    svg.text(field.left, field.top - 10, chart.title, Anchor::Start, 14, 0x101010);
+}
+
+void drawSeries(SvgWriter& svg, const Chart& chart, const Series& series, const Field& field)
+{
+    const double opacity = series.faint ? 0.35 : 1.0;
+    std::string commands;
+    bool drawing = false;
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+        const double x = field.x(chart.x, series.x[i]);
+        const double y = field.y(chart.y, series.y[i]);
+        if (!std::isfinite(x) || !std::isfinite(y)) {
+            drawing = false;
+            continue;
+        }
+        appendPoint(commands, x, y, !drawing);
+        drawing = true;
+        if (i < series.spread.size())
+            svg.line(x, field.y(chart.y, series.y[i] - series.spread[i]), x,
+                     field.y(chart.y, series.y[i] + series.spread[i]), {series.color, 1.0, opacity});
+        if (series.mark != Mark::Line)
+            svg.dot(x, y, 3.2, series.color, opacity);
+        if (i < series.labels.size())
+            svg.text(x + 6, y - 5, series.labels[i], Anchor::Start, 10, series.faint ? 0x909090 : 0x303030);
+    }
+    if (series.mark != Mark::Dots)
+        svg.path(commands, {series.color, 1.8, opacity, series.dashed});
+}
+
+void drawGuides(SvgWriter& svg, const Chart& chart, const Field& field)
+{
+    constexpr SvgWriter::Stroke dashed{.color = 0x606060, .dashed = true};
+    for (const Guide& guide : chart.guides)
+        if (guide.vertical) {
+            const double x = field.x(chart.x, guide.at);
+            svg.line(x, field.top, x, field.bottom, dashed);
+            svg.text(x + 4, field.top + 12, guide.label, Anchor::Start, 10);
+        } else {
+            const double y = field.y(chart.y, guide.at);
+            svg.line(field.left, y, field.right, y, dashed);
+            svg.text(field.right - 4, y - 4, guide.label, Anchor::End, 10);
+        }
+}
+
+void drawLegend(SvgWriter& svg, const Chart& chart, const Field& field)
+{
+    double y = field.top + 8;
+    for (const Series& series : chart.series) {
+        if (series.name.empty())
+            continue;
+        const double x = field.right + 14;
+        if (series.mark == Mark::Dots)
+            svg.dot(x + 9, y, 3.2, series.color, series.faint ? 0.35 : 1.0);
+        else
+            svg.line(x, y, x + 18, y, {series.color, 1.8, series.faint ? 0.35 : 1.0, series.dashed});
+        svg.text(x + 24, y + 4, series.name, Anchor::Start, 11);
+        y += 18;
+    }
+}
+
+} // namespace
+
+std::string svgOf(const Chart& chart, int width, int height)
+{
+    SvgWriter svg(width, height);
+    const bool legend = legendLines(chart) > 0;
+    const Field field{64.0, 34.0, std::max(120.0, width - (legend ? 176.0 : 20.0)), std::max(80.0, height - 46.0)};
+    drawAxes(svg, chart, field);
+    svg.clipTo(field.left, field.top, field.right - field.left, field.bottom - field.top);
+    for (const bool faint : {true, false})
+        for (const Series& series : chart.series)
+            if (series.faint == faint)
+                drawSeries(svg, chart, series, field);
+    drawGuides(svg, chart, field);
+    svg.endClip();
+    drawLegend(svg, chart, field);
+    return svg.finished();
+}
+
+} // namespace reflectance
