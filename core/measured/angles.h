@@ -12,12 +12,13 @@ namespace reflectance {
 
 /// Polar: (theta_i, theta_r), whatever the azimuths: the lecture's table. Isotropic: (theta_i, theta_r, delta_phi) with
 /// delta_phi = phi_r - phi_i; the mirror direction has delta_phi = pi. HalfDifference: (theta_h, theta_d, phi_d) of
-/// Rusinkiewicz 1998, where phi_d and phi_d + pi are one and the same by reciprocity.
-enum class AngleSystem { Polar, Isotropic, HalfDifference };
+/// Rusinkiewicz 1998, where phi_d and phi_d + pi are one and the same by reciprocity. Specular: (theta_i, radial, azimuth),
+/// the angle between V and the mirror direction and the turn about that, 0 towards N; files have it, renderers do not.
+enum class AngleSystem { Polar, Isotropic, HalfDifference, Specular };
 
 [[nodiscard]] constexpr std::string_view nameOf(AngleSystem system)
 {
-    constexpr std::string_view names[] = {"polar", "isotropic", "half-difference"};
+    constexpr std::string_view names[] = {"polar", "isotropic", "half-difference", "specular"};
     return names[static_cast<int>(system)];
 }
 
@@ -27,10 +28,12 @@ using Angles = std::array<double, 3>;
 /// "theta_i", "theta_r", ...
 [[nodiscard]] std::span<const std::string_view> angleNames(AngleSystem system);
 
-/// The largest value that an angle of the system can have: pi/2 for a theta, pi for phi_d, 2 pi for delta_phi.
+/// The largest value that an angle of the system can have: pi/2 for a theta, pi for phi_d and radial, 2 pi for
+/// delta_phi and azimuth.
 [[nodiscard]] double largestAngle(AngleSystem system, std::size_t axis);
 
-/// Of unit vectors. Thetas lie within 0 .. pi for any L and V, delta_phi within -pi .. pi and phi_d within 0 .. pi. Azimuths
+/// Of unit vectors. Thetas lie within 0 .. pi for any L and V, delta_phi and azimuth within -pi .. pi
+/// and phi_d within 0 .. pi. Azimuths
 /// at a pole count as 0.
 [[nodiscard]] Angles anglesOf(AngleSystem system, const Vec3d& L, const Vec3d& V);
 

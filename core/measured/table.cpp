@@ -13,7 +13,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double rim = 1e-9;
 
-/// Into the range of the axis: mirror-symmetric tables list delta_phi up to pi, others up to 2 pi.
+/// Into the range of the axis: mirror-symmetric tables list azimuths up to pi, others up to 2 pi.
 double foldedAzimuth(double phi, double last)
 {
     if (last <= pi + rim)
@@ -65,7 +65,7 @@ std::optional<Channels> valueAt(const Table& table, const Angles& at)
     Places places;
     for (std::size_t axis = 0; axis < table.axes.size(); ++axis) {
         const auto& samples = table.axes[axis];
-        const bool isAzimuth = axis == 2 && table.system == AngleSystem::Isotropic;
+        const bool isAzimuth = axis == 2 && table.system != AngleSystem::HalfDifference;
         const double angle = isAzimuth ? foldedAzimuth(at[axis], samples.back()) : at[axis];
         if (!(angle >= samples.front() - rim && angle <= samples.back() + rim))
             return std::nullopt;

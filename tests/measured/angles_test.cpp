@@ -9,6 +9,8 @@ namespace reflectance {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr AngleSystem everySystem[] = {AngleSystem::Polar, AngleSystem::Isotropic, AngleSystem::HalfDifference,
+                                       AngleSystem::Specular};
 
 Vec3d anyAbove(std::mt19937_64& random)
 {
@@ -19,7 +21,7 @@ Vec3d anyAbove(std::mt19937_64& random)
 TEST(Angles, ComeBackFromTheDirectionsThatTheyName)
 {
     std::mt19937_64 random(7);
-    for (const AngleSystem system : {AngleSystem::Polar, AngleSystem::Isotropic, AngleSystem::HalfDifference})
+    for (const AngleSystem system : everySystem)
         for (int i = 0; i < 1000; ++i) {
             const Angles at = anglesOf(system, anyAbove(random), anyAbove(random));
             const DirectionPair pair = directionsAt(system, at);
@@ -48,6 +50,10 @@ TEST(Angles, OfThePlaneOfIncidence)
     EXPECT_NEAR(half[0], pi / 18.0, 1e-15); // the half vector leans 10 degrees to V
     EXPECT_NEAR(half[1], 2.0 * pi / 9.0, 1e-15);
     EXPECT_NEAR(std::sin(half[2]), 0.0, 1e-15); // 0 or pi, which are the same
+    const Angles specular = anglesOf(AngleSystem::Specular, L, V);
+    EXPECT_NEAR(specular[1], pi / 9.0, 1e-15); // 20 degrees beyond the mirror direction, away from N
+    EXPECT_NEAR(std::fabs(specular[2]), pi, 1e-15);
+    EXPECT_NEAR(anglesOf(AngleSystem::Specular, L, directionAt(0.1, pi))[2], 0.0, 1e-15) << "towards N";
 }
 
 TEST(Angles, AreReciprocalAndIsotropicInHalfAndDifference)
@@ -72,7 +78,7 @@ TEST(Angles, AreFiniteAtThePoles)
 {
     const Vec3d N{0, 0, 1};
     const Vec3d X{1, 0, 0};
-    for (const AngleSystem system : {AngleSystem::Polar, AngleSystem::Isotropic, AngleSystem::HalfDifference})
+    for (const AngleSystem system : everySystem)
         for (const Vec3d& L : {N, X, -X})
             for (const Vec3d& V : {N, X, -X})
                 for (const double angle : anglesOf(system, L, V))
