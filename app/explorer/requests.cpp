@@ -3,6 +3,7 @@
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/user_folders.h"
+#include "core/base/file.h"
 #include "core/scene/scene_file.h"
 
 #include <filesystem>
@@ -69,6 +70,16 @@ void saveView(Session& session, const std::string& path)
         complain(session, saved.error());
 }
 
+/// "curves.svg" becomes mug_curves_001.svg or the like.
+void saveText(Session& session, const fs::path& name, const std::string& text)
+{
+    const fs::path path =
+        freeName(picturesFolder(), session.state.scene.mesh->name, name.stem().string(), name.extension().string());
+    if (const Result<void> saved = writeAtomically(path.string(), text); !saved)
+        return complain(session, saved.error());
+    tell(session, "Saved: " + path.string());
+}
+
 void serve(Session& session, const Request& request)
 {
     using Kind = Request::Kind;
@@ -96,6 +107,9 @@ void serve(Session& session, const Request& request)
         break;
     case Kind::ResetScene:
         resetScene(session);
+        break;
+    case Kind::SaveText:
+        saveText(session, request.path, request.text);
         break;
     case Kind::CancelLoading:
         session.loader.cancel();

@@ -6,6 +6,7 @@
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
+#include "core/study/curves.h"
 #include "core/study/price_tag.h"
 
 #include <deque>
@@ -26,6 +27,7 @@ struct Request {
         Frame,
         ResetView,
         ResetScene,
+        SaveText,
         CancelLoading,
         Dismiss,
         Quit
@@ -33,8 +35,9 @@ struct Request {
     Kind kind;
     /// OpenFile: a mesh, scene or environment, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
     /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
-    /// session; OpenFile restores it.
+    /// session; OpenFile restores it. SaveText: a name such as "curves.svg", made unique in the pictures folder.
     std::string path;
+    std::string text = {}; ///< SaveText: what is written
 };
 
 /// Kept between sessions where the desktop's conventions put settings.
@@ -69,6 +72,13 @@ struct EarlierSession {
     bool dismissed = false; ///< no longer offered; the Open menu has it until the program ends
 };
 
+/// The workbench's page of curves.
+struct CurvesPage {
+    double thetaI = 40.0;              ///< degrees
+    CurveSettings settings;            ///< its thetaI follows
+    std::vector<std::string> overlays; ///< ids of models beside the current one
+};
+
 struct ExplorerState {
     Scene scene;
     int selectedLight = 0; ///< index into scene.lights, -1 for none
@@ -91,6 +101,7 @@ struct ExplorerState {
     std::optional<SensorCounts> sensorCounts; ///< of the last picture; none where they were not counted
 
     ExtremesStudy extremes;
+    CurvesPage curves;
 
     // Between the panels and the frame loop.
     PanelMemory panels;

@@ -38,9 +38,9 @@ std::vector<Tick> linearTicks(const Axis& axis, int most)
     const double slack = 1e-9 * length;
     const auto first = [&](double step) { return std::ceil((axis.low - slack) / step); };
     const auto last = [&](double step) { return std::floor((axis.high + slack) / step); };
-    double step = roundStep(length / std::max(2, most));
+    double step = axis.step > 0.0 ? axis.step : roundStep(length / std::max(2, most));
     while (last(step) - first(step) + 1.0 > std::max(2, most))
-        step = roundStep(1.5 * step);
+        step = axis.step > 0.0 ? 2.0 * step : roundStep(1.5 * step);
     for (double k = first(step); k <= last(step); ++k) {
         const double value = k == 0.0 ? 0.0 : k * step;
         ticks.push_back({value, general(value, 6)});

@@ -13,6 +13,7 @@ struct Axis {
     std::string label; ///< with its unit: "theta_r (degrees)"
     double low = 0.0, high = 1.0;
     AxisScale scale = AxisScale::Linear;
+    double step = 0.0; ///< between ticks where it is more natural than 1, 2 or 5: 30 degrees; 0: none
 };
 
 /// 0xRRGGBB.

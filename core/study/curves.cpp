@@ -90,7 +90,7 @@ Chart overTheta(const std::vector<NamedSurface>& surfaces, const CurveSettings& 
     std::transform(angles.begin(), angles.end(), degrees.begin(), [](double angle) { return angle * 180.0 / pi; });
     Chart chart;
     chart.title = "\u03B8_i = " + degreesText(settings.thetaI);
-    chart.x = {"\u03B8_r (degrees; positive away from the light)", -90.0, 90.0, AxisScale::Linear};
+    chart.x = {"\u03B8_r (degrees; positive away from the light)", -90.0, 90.0, AxisScale::Linear, 30.0};
     std::vector<double> all{settings.scale == AxisScale::Linear ? 0.0 : 1e-3};
     for (const NamedSurface& surface : surfaces) {
         Series series;

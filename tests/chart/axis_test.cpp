@@ -31,6 +31,8 @@ TEST(Axis, HasRoundTicks)
 {
     EXPECT_THAT(valuesOf(ticksOf({"", 0.0, 90.0}, 5)), testing::ElementsAre(0, 20, 40, 60, 80));
     EXPECT_THAT(valuesOf(ticksOf({"", -0.1, 1.05}, 6)), testing::ElementsAre(0, 0.2, 0.4, 0.6000000000000001, 0.8, 1));
+    EXPECT_THAT(valuesOf(ticksOf({"", -90.0, 90.0, AxisScale::Linear, 30.0}, 7)),
+                testing::ElementsAre(-90, -60, -30, 0, 30, 60, 90));
     const std::vector<Tick> decades = ticksOf({"", 1e-9, 1.0, AxisScale::Log}, 5);
     EXPECT_THAT(decades.front().text, "1e-9");
     EXPECT_LE(decades.size(), 5U);

@@ -1,5 +1,6 @@
 #include "app/explorer/ui/workbench/page.h"
 
+#include "app/explorer/ui/workbench/curves_page.h"
 #include "app/explorer/ui/workbench/extremes_page.h"
 
 namespace reflectance::explorer {
@@ -7,6 +8,7 @@ namespace reflectance::explorer {
 std::span<const WorkbenchPage> workbenchPages()
 {
     static constexpr WorkbenchPage pages[] = {
+        {"curves", "Curves", "The surface as curves in the plane of incidence, beside other models.", drawCurvesPage},
         {"extremes", "Extremes", "The inputs at which reflectance code breaks, tried on this machine.",
          drawExtremesPage},
     };

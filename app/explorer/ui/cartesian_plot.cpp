@@ -1,0 +1,141 @@
+#include "app/explorer/ui/plot.h"
+#include "app/explorer/ui/plot_canvas.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reflectance::explorer {
+
+namespace {
+
+/// The inner rectangle of a plot, and places in it.
+struct Field {
+    ImVec2 low, high; ///< upper left, lower right
+    const Chart& chart;
+
+    [[nodiscard]] float x(double value) const
+    {
+        return low.x + static_cast<float>(shareAlong(chart.x, value)) * (high.x - low.x);
+    }
+    [[nodiscard]] float y(double value) const
+    {
+        return high.y - static_cast<float>(shareAlong(chart.y, value)) * (high.y - low.y);
+    }
+};
+
+void drawAxes(ImDrawList& list, const Field& field)
+{
+    const Chart& chart = field.chart;
+    for (const Tick& tick : ticksOf(chart.x, static_cast<int>((field.high.x - field.low.x) / points(56)))) {
+        const float x = std::round(field.x(tick.value));
+        list.AddLine({x, field.low.y}, {x, field.high.y}, palette::raised);
+        plotText(list, x, field.high.y + points(9), TextAnchor::Centre, tick.text);
+    }
+    for (const Tick& tick : ticksOf(chart.y, static_cast<int>((field.high.y - field.low.y) / points(26)))) {
+        const float y = std::round(field.y(tick.value));
+        list.AddLine({field.low.x, y}, {field.high.x, y}, palette::raised);
+        plotText(list, field.low.x - points(5), y, TextAnchor::Right, tick.text);
+    }
+    plotText(list, (field.low.x + field.high.x) / 2, field.high.y + points(24), TextAnchor::Centre, chart.x.label);
+    plotText(list, field.low.x - points(34), field.low.y - points(12), TextAnchor::Left, chart.y.label);
+}
+
+void drawSeries(ImDrawList& list, const Series& series, const Field& field)
+{
+    const ImU32 color = onDark(series.color, series.faint ? 0.4F : 1.0F);
+    std::vector<ImVec2> run;
+    const auto flush = [&] {
+        if (run.size() > 1 && series.mark != Mark::Dots)
+            list.AddPolyline(run.data(), static_cast<int>(run.size()), color, ImDrawFlags_None, points(1.6F));
+        run.clear();
+    };
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+        const ImVec2 at{field.x(series.x[i]), field.y(series.y[i])};
+        if (!std::isfinite(at.x) || !std::isfinite(at.y)) {
+            flush();
+            continue;
+        }
+        run.push_back(at);
+        if (i < series.spread.size())
+            list.AddLine({at.x, field.y(series.y[i] - series.spread[i])},
+                         {at.x, field.y(series.y[i] + series.spread[i])}, color);
+        if (series.mark != Mark::Line)
+            list.AddCircleFilled(at, points(3.2F), color);
+        if (i < series.labels.size())
+            plotText(list, at.x + points(6), at.y - points(6), TextAnchor::Left, series.labels[i],
+                     series.faint ? palette::quiet : palette::text);
+    }
+    flush();
+}
+
+void drawGuides(ImDrawList& list, const Field& field)
+{
+    for (const Guide& guide : field.chart.guides)
+        if (guide.vertical) {
+            const float x = std::round(field.x(guide.at));
+            list.AddLine({x, field.low.y}, {x, field.high.y}, palette::quiet);
+            plotText(list, x + points(4), field.low.y + points(8), TextAnchor::Left, guide.label, palette::text);
+        } else {
+            const float y = std::round(field.y(guide.at));
+            list.AddLine({field.low.x, y}, {field.high.x, y}, palette::quiet);
+            plotText(list, field.high.x - points(4), y - points(8), TextAnchor::Right, guide.label, palette::text);
+        }
+}
+
+std::vector<PlotEntry> legendOf(const Chart& chart)
+{
+    std::vector<PlotEntry> entries;
+    for (const Series& series : chart.series)
+        if (!series.name.empty())
+            entries.push_back({onDark(series.color, series.faint ? 0.4F : 1.0F), series.name});
+    return entries;
+}
+
+void readSeries(const Chart& chart, double x)
+{
+    std::vector<PlotEntry> entries;
+    for (const Series& series : chart.series) {
+        const double value = series.mark == Mark::Dots ? std::nan("") : readAt(series.x, series.y, x);
+        if (std::isfinite(value))
+            entries.push_back({onDark(series.color), general(value, 5) + "  " + series.name});
+    }
+    showReading(chart.x.label.substr(0, chart.x.label.find(' ')) + " = " + general(x, 4), entries);
+}
+
+} // namespace
+
+PlotHover drawPlot(const char* id, const Chart& chart, ImVec2 size)
+{
+    const PlotArea area = plotArea(id, size);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Field field{{area.topLeft.x + points(46), area.topLeft.y + points(26)},
+                      {area.topLeft.x + area.size.x - points(14), area.topLeft.y + area.size.y - points(36)},
+                      chart};
+    if (field.high.x - field.low.x < points(40) || field.high.y - field.low.y < points(30))
+        return {};
+    drawAxes(list, field);
+    list.PushClipRect(field.low, field.high, true);
+    for (const bool faint : {true, false})
+        for (const Series& series : chart.series)
+            if (series.faint == faint)
+                drawSeries(list, series, field);
+    drawGuides(list, field);
+    list.PopClipRect();
+    drawLegend(list, {field.high.x - points(6), field.low.y}, legendOf(chart));
+
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const bool inside = area.hovered && mouse.x >= field.low.x && mouse.x <= field.high.x && mouse.y >= field.low.y &&
+                        mouse.y <= field.high.y;
+    if (!inside) {
+        tooltip(readingHint);
+        return {};
+    }
+    const PlotHover hover{true, valueAlong(chart.x, (mouse.x - field.low.x) / (field.high.x - field.low.x)),
+                          valueAlong(chart.y, (field.high.y - mouse.y) / (field.high.y - field.low.y))};
+    list.AddLine({mouse.x, field.low.y}, {mouse.x, field.high.y}, palette::accent);
+    readSeries(chart, hover.x);
+    return hover;
+}
+
+} // namespace reflectance::explorer
