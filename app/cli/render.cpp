@@ -1,4 +1,5 @@
 // `render`: one picture, by the GL or the CPU renderer, and the figures about it.
+#include "app/cli/lens_picture.h"
 #include "app/cli/long_work.h"
 #include "app/cli/report.h"
 #include "app/cli/scene_options.h"
@@ -26,6 +27,7 @@ struct Options {
     std::string precision;
     std::string context = "any";
     std::string shading = "pixel";
+    std::string lens;
     int frames = 1;
     std::string reference;
     double threshold = 0.0;
@@ -102,6 +104,34 @@ Result<Rendered> renderWatched(const Scene& scene, const RenderSettings& setting
     return renderPicture(scene, settings, plan, &LongWork::progress());
 }
 
+/// The lens looks at one arithmetic by itself; flags that choose another contradict it.
+Result<void> checkLens(const Options& options)
+{
+    if (!options.out.ends_with(".png"))
+        return Error{"--lens paints a PNG; name the output .png"};
+    const std::pair<const char*, bool> others[] = {{"--precision", !options.precision.empty()},
+                                                   {"--backend", options.backend != "auto"},
+                                                   {"--shading", options.shading != "pixel"},
+                                                   {"--frames", options.frames != 1},
+                                                   {"--reference", !options.reference.empty()}};
+    for (const auto& [flag, given] : others)
+        if (given)
+            return Error{std::string("--lens compares one arithmetic with double; leave ") + flag + " out"};
+    return {};
+}
+
+int runLens(const Options& options, const Scene& scene, const RenderSettings& settings)
+{
+    const LensKind kind = lensNamed(options.lens);
+    const auto map = lensOf(scene, settings, kind, contextNamed(options.context));
+    if (!map)
+        return refused(map.error(), LongWork::wasStopped() ? Stopped : BadInput);
+    if (const auto written = writeLens(options.out, *map); !written)
+        return refused(written.error());
+    const auto reported = writeReport(options.json, lensReport(kind, *map));
+    return reported ? Done : refused(reported.error());
+}
+
 int run(const Options& options)
 {
     const auto format = outputFormat(options.out);
@@ -113,12 +143,16 @@ int run(const Options& options)
     const auto plan = planFrom(options);
     if (!plan)
         return refused(plan.error());
+    if (const auto clear = checkLens(options); !options.lens.empty() && !clear)
+        return refused(clear.error());
     const auto settings = settingsFrom(options.scene);
     if (!settings)
         return refused(settings.error());
     const auto scene = sceneFrom(options.scene);
     if (!scene)
         return refused(scene.error());
+    if (!options.lens.empty())
+        return runLens(options, *scene, *settings);
     const auto rendered = renderWatched(*scene, *settings, *plan);
     if (!rendered)
         return refused(rendered.error(), LongWork::wasStopped() ? Stopped : BadInput);
@@ -158,6 +192,9 @@ void addRender(CLI::App& program, int& exitCode)
             "where the model is evaluated: pixel (at every sample) or vertex (interpolated over triangles; CPU)")
         ->check(CLI::IsMember({"pixel", "vertex"}))
         ->capture_default_str();
+    verb->add_option("--lens", options->lens,
+                     "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
+        ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));
     verb->add_option("--frames", options->frames, "shade this often and report the median time")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();

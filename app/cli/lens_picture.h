@@ -1,0 +1,26 @@
+// `render --lens`: the digits that an arithmetic keeps, as a picture, instead of the view itself.
+#pragma once
+
+#include "core/render/headless/headless_context.h"
+#include "core/render/settings.h"
+#include "core/scene/scene.h"
+#include "core/study/lens/lens.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace reflectance::cli {
+
+/// "float", "half", "simd" or "glsl".
+[[nodiscard]] LensKind lensNamed(std::string_view name);
+
+/// Glsl draws in a context of this kind. Watched by LongWork.
+[[nodiscard]] Result<LensMap> lensOf(const Scene& scene, const RenderSettings& settings, LensKind kind,
+                                     ContextKind context);
+
+/// Writes the map as a PNG, in the lens' colours.
+[[nodiscard]] Result<void> writeLens(const std::string& path, const LensMap& map);
+
+[[nodiscard]] nlohmann::ordered_json lensReport(LensKind kind, const LensMap& map);
+
+} // namespace reflectance::cli
