@@ -84,6 +84,27 @@ void SvgWriter::dot(double x, double y, double radius, ChartColor color, double 
             "\" fill-opacity=\"" + pixel(opacity) + "\"/>\n";
 }
 
+void SvgWriter::rectangle(double x, double y, double width, double height, ChartColor color)
+{
+    out_ += "<rect x=\"" + pixel(x) + "\" y=\"" + pixel(y) + "\" width=\"" + pixel(width) + "\" height=\"" +
+            pixel(height) + "\" fill=\"" + hex(color) + "\"/>\n";
+}
+
+void SvgWriter::hatched(double x, double y, double width, double height)
+{
+    rectangle(x, y, width, height, 0xECECEC);
+    clipTo(x, y, width, height);
+    std::string lines;
+    // Lines of one family over the whole picture: those of neighbouring rectangles meet.
+    constexpr double spacing = 8.0;
+    for (double at = std::floor((x + y) / spacing) * spacing; at < x + width + y + height; at += spacing) {
+        appendPoint(lines, at - y, y, true);
+        appendPoint(lines, at - y - height, y + height, false);
+    }
+    path(lines, {.color = 0xB0B0B0});
+    endClip();
+}
+
 void SvgWriter::text(double x, double y, std::string_view text, Anchor anchor, int size, ChartColor color, double turn)
 {
     const char* anchors[] = {"start", "middle", "end"};

@@ -24,6 +24,8 @@ public:
     void path(const std::string& commands, const Stroke& stroke);
     void circle(double x, double y, double radius, const Stroke& stroke);
     void dot(double x, double y, double radius, ChartColor color, double opacity);
+    void rectangle(double x, double y, double width, double height, ChartColor color);
+    void hatched(double x, double y, double width, double height); ///< what is unknown
     void text(double x, double y, std::string_view text, Anchor anchor, int size = 12, ChartColor color = 0x303030,
               double turn = 0.0);
     void clipTo(double x, double y, double width, double height); ///< all that follows, until endClip

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/chart/chart.h"
+#include "core/chart/heat_map.h"
 
 #include <imgui.h>
 
@@ -18,6 +19,9 @@ PlotHover drawPlot(const char* id, const Chart& chart, ImVec2 size);
 
 /// x is the angle in radians, y the radius. The reading gives every curve at that angle.
 PlotHover drawPlot(const char* id, const PolarChart& chart, ImVec2 size);
+
+/// Holes are hatched; the reading names the cell under the mouse.
+PlotHover drawPlot(const char* id, const HeatMap& map, ImVec2 size);
 
 /// The colour of a series on the window's dark ground: lighter where the paper's would be too dark to read.
 [[nodiscard]] ImU32 onDark(ChartColor color, float opacity = 1.0F);
