@@ -21,5 +21,6 @@ void addInspect(CLI::App& program, int& exitCode);
 void addCompare(CLI::App& program, int& exitCode);
 void addExtremes(CLI::App& program, int& exitCode);
 void addCheck(CLI::App& program, int& exitCode);
+void addTable(CLI::App& program, int& exitCode);
 
 } // namespace reflectance::cli

@@ -110,7 +110,7 @@ DirectionPair directionsAt(AngleSystem system, const Angles& at)
         return {L, d.z * frame.S + d.x * frame.towardsN + d.y * frame.aside};
     }
     if (system != AngleSystem::HalfDifference)
-        return {directionAt(at[0], 0.0), directionAt(at[1], at[2])};
+        return {directionAt(at[0], 0.0), directionAt(at[1], system == AngleSystem::Polar ? pi : at[2])};
     const Vec3d d = directionAt(at[1], at[2]);
     return {tilted(d, at[0]), tilted({-d.x, -d.y, d.z}, at[0])};
 }

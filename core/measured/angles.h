@@ -41,7 +41,8 @@ struct DirectionPair {
     Vec3d L, V;
 };
 
-/// One pair of directions that has these angles, with L in the plane y = 0 where azimuths do not matter. Half and
+/// One pair of directions that has these angles, with L in the plane y = 0, and V in it on the other side (that of
+/// the mirror direction) where azimuths do not matter. Half and
 /// difference angles can ask for directions below the surface: z is then negative.
 [[nodiscard]] DirectionPair directionsAt(AngleSystem system, const Angles& at);
 

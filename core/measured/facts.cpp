@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace reflectance {
 namespace {
@@ -22,10 +23,10 @@ struct Spread {
     double squares = 0.0, ownSquares = 0.0, worst = 0.0, largest = 0.0;
     std::size_t count = 0;
 
-    void add(double difference, double own)
+    void add(double difference, double own, double weight = 1.0)
     {
-        squares += difference * difference;
-        ownSquares += own * own;
+        squares += weight * difference * difference;
+        ownSquares += weight * own * own;
         worst = std::max(worst, std::fabs(difference));
         largest = std::max(largest, std::fabs(own));
         ++count;
@@ -35,12 +36,17 @@ struct Spread {
     [[nodiscard]] double relativeWorst() const { return largest > 0.0 ? worst / largest : 0.0; }
 };
 
-ReciprocityMap mapAt(const Measurement& measurement, double deltaPhi, std::size_t steps, Spread& spread)
+std::vector<double> evenThetas(std::size_t steps)
 {
-    ReciprocityMap map;
-    map.deltaPhi = deltaPhi;
+    std::vector<double> theta;
     for (std::size_t i = 0; i < steps; ++i)
-        map.theta.push_back(pi / 2.0 * static_cast<double>(i) / static_cast<double>(steps));
+        theta.push_back(pi / 2.0 * static_cast<double>(i) / static_cast<double>(steps));
+    return theta;
+}
+
+ReciprocityMap mapAt(const Measurement& measurement, double deltaPhi, std::vector<double> theta, Spread& spread)
+{
+    ReciprocityMap map{std::move(theta), deltaPhi, {}};
     for (const double thetaI : map.theta)
         for (const double thetaR : map.theta) {
             const Vec3d L = directionAt(thetaI, 0.0);
@@ -51,7 +57,8 @@ ReciprocityMap mapAt(const Measurement& measurement, double deltaPhi, std::size_
             if (!there || !back)
                 continue;
             map.residual.back() = meanOf(*there) - meanOf(*back);
-            spread.add(map.residual.back(), 0.5 * (meanOf(*there) + meanOf(*back)));
+            const double weight = 0.25 * std::sin(2.0 * thetaI) * std::sin(2.0 * thetaR);
+            spread.add(map.residual.back(), 0.5 * (meanOf(*there) + meanOf(*back)), weight);
         }
     return map;
 }
@@ -142,18 +149,20 @@ LeftOut leftOutOf(const ScatteredBrdf& brdf)
 ReciprocityMap reciprocityMap(const Measurement& measurement, double deltaPhi, std::size_t steps)
 {
     Spread spread;
-    ReciprocityMap map = mapAt(measurement, deltaPhi, steps, spread);
+    ReciprocityMap map = mapAt(measurement, deltaPhi, evenThetas(steps), spread);
     map.rms = spread.rms();
     map.worst = spread.relativeWorst();
     return map;
 }
 
-Reciprocity reciprocityOf(const Measurement& measurement)
+Reciprocity reciprocityOf(const Measurement& measurement, double limit)
 {
+    std::vector<double> theta = evenThetas(18);
+    std::erase_if(theta, [limit](double angle) { return angle > limit + 1e-9; });
     Spread spread;
     for (int degrees = 0; degrees <= 180; degrees += 15)
-        (void)mapAt(measurement, radians(degrees), 18, spread);
-    return {spread.rms(), spread.relativeWorst(), spread.count};
+        (void)mapAt(measurement, radians(degrees), theta, spread);
+    return {limit, spread.rms(), spread.relativeWorst(), spread.count};
 }
 
 Albedo albedoAt(const Measurement& measurement, double thetaI)

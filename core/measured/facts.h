@@ -10,19 +10,20 @@ struct ReciprocityMap {
     std::vector<double> theta;    ///< radians, of rows and of columns
     double deltaPhi = 0.0;        ///< radians
     std::vector<double> residual; ///< 1/sr, row by row; NaN where one of the two is a hole
-    double rms = 0.0;             ///< of the residual, over the rms of f: 0.03 is 3 %
-    double worst = 0.0;           ///< largest |residual|, over the largest f met
+    double rms = 0.0;   ///< of the residual over that of f, weighted by both cosines and solid angles: 0.03 is 3 %
+    double worst = 0.0; ///< largest |residual|, over the largest f met: most often at grazing angles
 };
 
 /// `steps` + 1 angles from 0 to 90 degrees, the last one left out.
 [[nodiscard]] ReciprocityMap reciprocityMap(const Measurement& measurement, double deltaPhi, std::size_t steps);
 
-/// rms and worst over difference angles of azimuth 0, 15 ... 180 degrees together.
+/// rms and worst over differences of azimuth 0, 15 ... 180 degrees together, and polar angles 0, 5 ... up to `limit`.
 struct Reciprocity {
+    double limit = 0.0; ///< radians
     double rms = 0.0, worst = 0.0;
     std::size_t compared = 0;
 };
-[[nodiscard]] Reciprocity reciprocityOf(const Measurement& measurement);
+[[nodiscard]] Reciprocity reciprocityOf(const Measurement& measurement, double limit);
 
 /// The share of light from thetaI that is reflected into the directions that the measurement knows, for white light, per
 /// channel; `known` is the share of the hemisphere, weighted by the cosine, that these make up.

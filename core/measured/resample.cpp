@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace reflectance {
 namespace {
@@ -59,6 +60,34 @@ void appendChannels(std::vector<double>& values, const Mat3d& f, std::size_t cha
         values.insert(values.end(), {r.x, g.y, b.z});
     else
         values.insert(values.end(), {r.x, r.y, r.z, g.x, g.y, g.z, b.x, b.y, b.z});
+}
+
+/// f where a pair is asked for; the mean of both ways where a pair and its reverse are one and the same to the table.
+std::vector<std::optional<Mat3d>> valuesAt(const std::vector<std::optional<DirectionPair>>& asked,
+                                           const BrdfFunction& f, bool bothWays)
+{
+    std::vector<DirectionPair> pairs;
+    for (const auto& pair : asked)
+        if (pair)
+            pairs.push_back(*pair);
+    auto values = f(pairs);
+    if (bothWays) {
+        for (DirectionPair& pair : pairs)
+            std::swap(pair.L, pair.V);
+        const auto back = f(pairs);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!values[i])
+                values[i] = back[i];
+            else if (back[i])
+                for (std::size_t row = 0; row < 3; ++row)
+                    values[i]->rows[row] = 0.5 * (values[i]->rows[row] + back[i]->rows[row]);
+        }
+    }
+    std::vector<std::optional<Mat3d>> result;
+    auto next = values.begin();
+    for (const auto& pair : asked)
+        result.push_back(pair ? *next++ : std::nullopt);
+    return result;
 }
 
 /// The radical inverse of i in a base: the i-th point of a sequence that fills 0 .. 1 evenly.
@@ -149,24 +178,13 @@ Table sampled(const GridShape& shape, std::size_t channels, const BrdfFunction& 
     table.channels = channels;
     table.values.reserve(shape.samples() * channels);
     const double lowest = -std::sin(std::min(largestStep(shape.axes[0]) + largestStep(shape.axes[1]), pi / 2.0)) - 1e-9;
-    std::vector<bool> isAsked;
-    std::vector<DirectionPair> pairs;
+    std::vector<std::optional<DirectionPair>> asked;
     for (std::size_t begin = 0; begin < shape.samples(); begin += chunk) {
-        const std::size_t end = std::min(begin + chunk, shape.samples());
-        isAsked.clear();
-        pairs.clear();
-        for (std::size_t sample = begin; sample < end; ++sample) {
-            const auto pair = pairAt(shape, sample, lowest);
-            isAsked.push_back(pair.has_value());
-            if (pair)
-                pairs.push_back(*pair);
-        }
-        const auto values = f(pairs);
-        auto next = values.begin();
-        for (const bool asked : isAsked) {
-            const auto value = asked ? *next++ : std::nullopt;
+        asked.clear();
+        for (std::size_t sample = begin; sample < std::min(begin + chunk, shape.samples()); ++sample)
+            asked.push_back(pairAt(shape, sample, lowest));
+        for (const auto& value : valuesAt(asked, f, shape.system == AngleSystem::HalfDifference))
             appendChannels(table.values, value.value_or(Mat3d{{Vec3d(hole), Vec3d(hole), Vec3d(hole)}}), channels);
-        }
     }
     return table;
 }
@@ -187,8 +205,8 @@ ResamplingError resamplingError(const BrdfFunction& f, const Table& table)
             ++error.lost;
             continue;
         }
-        const double own = meanOf(*truth[i]);
-        const double difference = std::fabs(meanOf(*found) - own);
+        const double own = pairs[i].L.z * meanOf(*truth[i]);
+        const double difference = std::fabs(pairs[i].L.z * meanOf(*found) - own);
         squares += difference * difference;
         ownSquares += own * own;
         largest = std::max(largest, std::fabs(own));
@@ -218,11 +236,20 @@ Table gridOf(const Measurement& measurement)
     if (own && own->system != AngleSystem::Specular)
         return *own;
     const BrdfFunction f = functionOf(measurement);
-    Table table = sampled(halfDifferenceShape(91, 46, 37), channelsOf(measurement), f);
-    table.provenance = provenanceOf(measurement);
-    table.provenance.warnings.push_back("sampled over half and difference angles (91 x 46 x 37) for the renderers: " +
-                                        sentenceOf(resamplingError(f, table)));
-    return table;
+    Table best;
+    ResamplingError least;
+    for (const GridShape& shape : {halfDifferenceShape(91, 46, 37), isotropicShape(46, 46)}) {
+        Table table = sampled(shape, channelsOf(measurement), f);
+        const ResamplingError error = resamplingError(f, table);
+        if (best.values.empty() || error.rms < least.rms) {
+            best = std::move(table);
+            least = error;
+        }
+    }
+    best.provenance = provenanceOf(measurement);
+    best.provenance.warnings.push_back("sampled on a grid for the renderers (" + std::string(nameOf(best.system)) +
+                                       ", " + std::to_string(best.samples()) + " samples): " + sentenceOf(least));
+    return best;
 }
 
 } // namespace reflectance

@@ -29,13 +29,14 @@ using BrdfFunction = std::function<std::vector<std::optional<Mat3d>>(std::span<c
 
 /// f at every sample of the grid. Directions lower than half a degree above the surface count as that high: at the horizon
 /// some models grow without bound. Half and difference angles name pairs below the surface too; those within a step of it
-/// are raised in the same way, so that interpolation has something to stand on; the rest are holes.
+/// are raised in the same way, so that interpolation has something to stand on; the rest are holes. They also cannot tell a
+/// pair from its reverse: f is then the mean of both.
 [[nodiscard]] Table sampled(const GridShape& shape, std::size_t channels, const BrdfFunction& f);
 
-/// What a table lost against the function that it was made from.
+/// What a table lost against the function that it was made from, in f cos(theta_i): what a picture shows.
 struct ResamplingError {
-    double rms = 0.0;   ///< root of the mean square difference, over that of f itself
-    double worst = 0.0; ///< largest difference, over the largest f met
+    double rms = 0.0;   ///< root of the mean square difference, over that of the function itself
+    double worst = 0.0; ///< largest difference, over the largest value met
     DirectionPair at;   ///< where that is
     std::size_t compared = 0;
     std::size_t lost = 0; ///< pairs of directions at which f is known and the table has a hole
@@ -45,8 +46,9 @@ struct ResamplingError {
 /// all but those lower than 2 degrees above the surface.
 [[nodiscard]] ResamplingError resamplingError(const BrdfFunction& f, const Table& table);
 
-/// A measurement as the renderers take it. A grid of polar, isotropic or half and difference angles is itself; everything
-/// else is sampled over half and difference angles, and its provenance says with which error.
+/// A measurement as the renderers take it. A grid of polar, isotropic or half and difference angles is itself. Everything
+/// else is sampled, over half and difference angles (91 x 46 x 37) or isotropic ones (46 x 46 x 46), whichever errs less:
+/// the first follow highlights, the second keep what is not reciprocal. The provenance says which, and with what error.
 [[nodiscard]] Table gridOf(const Measurement& measurement);
 
 /// "0.5 % rms, 3 % at worst".

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace reflectance {
 namespace {
@@ -28,26 +29,61 @@ struct Neighbour {
     friend bool operator<(const Neighbour& a, const Neighbour& b) { return a.squaredDistance < b.squaredDistance; }
 };
 
-/// The nearest samples but `without`, nearest first.
-std::vector<Neighbour> nearest(const std::vector<Angles>& points, const Angles& at, std::size_t without)
-{
-    std::vector<Neighbour> found; // a heap with the farthest in front
-    found.reserve(neighbours + 1);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i == without)
-            continue;
-        const double squared = squaredDistance(points[i], at);
-        if (found.size() == neighbours && squared >= found.front().squaredDistance)
-            continue;
-        found.push_back({squared, i});
-        std::push_heap(found.begin(), found.end());
-        if (found.size() > neighbours) {
-            std::pop_heap(found.begin(), found.end());
-            found.pop_back();
+/// The nearest samples found so far, the farthest of them in front.
+class Nearest {
+public:
+    Nearest() { found_.reserve(neighbours + 1); }
+
+    void offer(double squaredDistance, std::size_t sample)
+    {
+        if (squaredDistance >= limit())
+            return;
+        found_.push_back({squaredDistance, sample});
+        std::push_heap(found_.begin(), found_.end());
+        if (found_.size() > neighbours) {
+            std::pop_heap(found_.begin(), found_.end());
+            found_.pop_back();
         }
     }
-    std::sort_heap(found.begin(), found.end());
-    return found;
+
+    /// Farther samples are of no interest.
+    [[nodiscard]] double limit() const
+    {
+        return found_.size() < neighbours ? std::numeric_limits<double>::infinity() : found_.front().squaredDistance;
+    }
+
+    [[nodiscard]] std::vector<Neighbour> sorted() &&
+    {
+        std::sort_heap(found_.begin(), found_.end());
+        return std::move(found_);
+    }
+
+private:
+    std::vector<Neighbour> found_;
+};
+
+/// The nearest samples but `without`, nearest first. The samples ascend in their first number: the search goes from its
+/// place to both sides until that number alone is too far away.
+std::vector<Neighbour> nearest(const std::vector<Angles>& points, const Angles& at, std::size_t without)
+{
+    Nearest found;
+    const auto offer = [&](std::size_t i) {
+        const double along = points[i][0] - at[0];
+        if (along * along >= found.limit())
+            return false;
+        if (i != without)
+            found.offer(squaredDistance(points[i], at), i);
+        return true;
+    };
+    const auto middle = std::lower_bound(points.begin(), points.end(), at,
+                                         [](const Angles& a, const Angles& b) { return a[0] < b[0]; });
+    std::size_t above = static_cast<std::size_t>(middle - points.begin());
+    std::size_t below = above;
+    for (bool up = true, down = true; up || down;) {
+        up = up && above < points.size() && offer(above++);
+        down = down && below > 0 && offer(--below);
+    }
+    return std::move(found).sorted();
 }
 
 /// A symmetric 4x4 system, solved by Cholesky's method; false where it is singular.
@@ -178,7 +214,7 @@ double leftOutError(const ScatteredBrdf& brdf)
     return sum;
 }
 
-/// Drops samples with a hole and counts the rest.
+/// Drops samples with a hole, counts the rest, and sorts them by the first number of their points.
 ScatteredBrdf keptSamples(const std::vector<Vec3d>& L, const std::vector<Vec3d>& V, const std::vector<double>& values,
                           std::size_t channels, const ScatteredMetric& metric)
 {
@@ -186,7 +222,14 @@ ScatteredBrdf keptSamples(const std::vector<Vec3d>& L, const std::vector<Vec3d>&
     brdf.metric = metric;
     brdf.channels = channels;
     brdf.provenance.samples = L.size();
-    for (std::size_t i = 0; i < L.size(); ++i) {
+    std::vector<Angles> points;
+    for (std::size_t i = 0; i < L.size(); ++i)
+        points.push_back(scatteredPoint(metric, L[i], V[i]));
+    std::vector<std::size_t> order(L.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return points[a][0] < points[b][0]; });
+    for (const std::size_t i : order) {
         const auto begin = values.begin() + static_cast<std::ptrdiff_t>(i * channels);
         const auto end = begin + static_cast<std::ptrdiff_t>(channels);
         if (std::any_of(begin, end, [](double v) { return std::isnan(v); })) {
@@ -194,7 +237,7 @@ ScatteredBrdf keptSamples(const std::vector<Vec3d>& L, const std::vector<Vec3d>&
             continue;
         }
         brdf.provenance.negatives += std::any_of(begin, end, [](double v) { return v < 0.0; }) ? 1 : 0;
-        brdf.points.push_back(scatteredPoint(metric, L[i], V[i]));
+        brdf.points.push_back(points[i]);
         brdf.values.insert(brdf.values.end(), begin, end);
         const double lower = std::min(L[i].z, V[i].z);
         brdf.largestTheta = std::max(brdf.largestTheta, std::acos(std::clamp(lower, 0.0, 1.0)));
