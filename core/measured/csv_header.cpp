@@ -48,7 +48,11 @@ struct Columns {
 
 Result<Columns> sorted(std::string_view line)
 {
+    constexpr std::ptrdiff_t most = 13; // four angles and nine values
+    if (std::count(line.begin(), line.end(), ',') >= most)
+        return Error{"has more than the " + std::to_string(most) + " columns that a table can have"};
     Columns columns;
+    const std::vector<std::string> known = possibleColumns();
     std::vector<std::string> seen;
     for (const std::string_view piece : split(line, ',')) {
         const std::string name = lowered(trimmed(piece));
@@ -57,7 +61,6 @@ Result<Columns> sorted(std::string_view line)
         const std::size_t index = seen.size();
         seen.push_back(name);
         const bool isDegrees = name.ends_with("_deg");
-        const std::vector<std::string> known = possibleColumns();
         const bool isUnitless = std::find(known.begin(), known.end(), name + "_deg") != known.end();
         if (isUnitless)
             return Error{"the column " + quotedPiece(name) + " names no unit; write " + name + "_deg or " + name +

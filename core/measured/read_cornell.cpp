@@ -36,6 +36,8 @@ public:
                     return *problem;
                 colour += value * weight;
             }
+            if (!(std::fabs(colour.x) + std::fabs(colour.y) + std::fabs(colour.z) <= largestBrdf))
+                return fail("a BRDF value is too large; numbers up to 1e100 are possible");
             if (L_.size() == mostScattered)
                 return fail("holds more than " + std::to_string(mostScattered) + " samples; thin them out");
             L_.push_back(directionAt(at[0], at[1]));

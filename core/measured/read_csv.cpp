@@ -113,6 +113,8 @@ private:
             if (std::isinf(numbers[column]))
                 return fail("a value is infinite; write nan for what was not measured");
             const auto f = brdfFrom(header_.quantity, numbers[column], directions);
+            if (f && std::fabs(*f) > largestBrdf)
+                return fail("a value is too large; numbers up to 1e100 are possible");
             horizons_ += f ? 0 : 1;
             values_.push_back(f.value_or(hole));
         }

@@ -15,8 +15,8 @@ Result<std::vector<double>> numbersIn(std::string_view line, long number, const 
     std::vector<double> values;
     for (const std::string_view word : words(line)) {
         const auto value = parseNumber(word);
-        if (!value || !std::isfinite(*value))
-            return Error{quotedPiece(word) + " is not a number", context.file, number};
+        if (!value || !(std::fabs(*value) <= largestBrdf))
+            return Error{quotedPiece(word) + " is not a number, or too large", context.file, number};
         values.push_back(*value);
     }
     return values;

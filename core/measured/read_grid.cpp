@@ -18,6 +18,8 @@ Result<Measurement> finished(Table table, const ReadContext& context)
         const auto values = std::span(table.values).subspan(sample * table.channels, table.channels);
         const bool isHole = std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
         const bool isNegative = std::any_of(values.begin(), values.end(), [](double v) { return v < 0.0; });
+        if (std::any_of(values.begin(), values.end(), [](double v) { return std::fabs(v) > largestBrdf; }))
+            return Error{"holds a number that is too large; numbers up to 1e100 are possible", context.file};
         holes += isHole ? 1 : 0;
         counted.negatives += !isHole && isNegative ? 1 : 0;
         if (isHole)

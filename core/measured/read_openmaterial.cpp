@@ -177,7 +177,8 @@ Result<Measurement> readOpenMaterial(std::string_view text, const ReadContext& c
 {
     Json json;
     try {
-        json = Json::parse(text);
+        // A table nests four deep; deeper brackets are read and dropped, whatever their number.
+        json = Json::parse(text, [](int depth, Json::parse_event_t, const Json&) { return depth < 8; });
     } catch (const Json::parse_error& error) {
         return Error{"is not valid JSON: a comma, bracket or quote is wrong here", context.file,
                      lineAt(text, error.byte)};

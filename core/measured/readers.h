@@ -21,6 +21,9 @@ struct ReadContext {
 [[nodiscard]] Result<Measurement> readCuret(std::string_view geometries, const std::string& geometriesFile,
                                             std::string_view surfaces, const ReadContext& context);
 
+/// No BRDF is larger; readers refuse numbers beyond, so that interpolation cannot overflow.
+inline constexpr double largestBrdf = 1e100;
+
 /// Whether the bytes begin as MERL does: three plausible dimensions.
 [[nodiscard]] bool looksLikeMerl(std::string_view bytes);
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double rim = 1e-9;
+constexpr double leastStep = 1e-12; ///< radians: slopes stay finite
 
 /// Into the range of the axis: mirror-symmetric tables list azimuths up to pi, others up to 2 pi.
 double foldedAzimuth(double phi, double last)
@@ -32,7 +33,7 @@ std::string complaint(const Table& table, std::size_t axis)
         if (!(at[i] >= -rim && at[i] <= largest + rim))
             return "the angle " + name + " = " + general(at[i] * 180.0 / pi, 6) + " degrees lies outside 0 .. " +
                    general(largest * 180.0 / pi, 6);
-        if (i > 0 && !(at[i] > at[i - 1]))
+        if (i > 0 && !(at[i] - at[i - 1] > leastStep))
             return "the angles " + name + " do not ascend at " + general(at[i] * 180.0 / pi, 6) + " degrees";
     }
     return {};

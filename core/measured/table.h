@@ -40,7 +40,7 @@ using Channels = std::array<double, 9>;
 
 struct Table {
     AngleSystem system = AngleSystem::Polar;
-    /// One per angle of the system, in its order: radians, finite, ascending, at least one sample each.
+    /// One per angle of the system, in its order: radians, ascending by more than 1e-12, at least one sample each.
     std::vector<std::vector<double>> axes;
     std::size_t channels = 1; ///< 1, 3 or 9
     /// f in 1/sr; the last axis runs fastest, and within a sample the channels. A hole is NaN in all of its channels.

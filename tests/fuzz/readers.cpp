@@ -4,6 +4,7 @@
 #include "core/scene/scene_file.h"
 #include "tests/fuzz/promises.h"
 #include "tests/fuzz/seeds.h"
+#include "tests/fuzz/table_readers.h"
 
 #include <algorithm>
 
@@ -59,13 +60,18 @@ constexpr char obj[] = "a.obj", ply[] = "a.ply", off[] = "a.off", stl[] = "a.stl
 
 const std::vector<Reader>& readers()
 {
-    static const std::vector<Reader> all{
-        {"obj", readMeshNamed<obj>, objSeeds()}, {"ply", readMeshNamed<ply>, plySeeds()},
-        {"off", readMeshNamed<off>, offSeeds()}, {"stl", readMeshNamed<stl>, stlSeeds()},
-        {"scene", readScene, sceneSeeds()},      {"png", readPicture, pngSeeds()},
-        {"exr", readPicture, exrSeeds()},        {"pfm", readPicture, pfmSeeds()},
-        {"hdr", readPicture, hdrSeeds()},        {"rows", readRows, rowSeeds()},
-        {"model", readModel, modelSeeds()}};
+    static const std::vector<Reader> all = [] {
+        std::vector<Reader> tables = tableReaders();
+        std::vector<Reader> readers{{"obj", readMeshNamed<obj>, objSeeds()}, {"ply", readMeshNamed<ply>, plySeeds()},
+                                    {"off", readMeshNamed<off>, offSeeds()}, {"stl", readMeshNamed<stl>, stlSeeds()},
+                                    {"scene", readScene, sceneSeeds()},      {"png", readPicture, pngSeeds()},
+                                    {"exr", readPicture, exrSeeds()},        {"pfm", readPicture, pfmSeeds()},
+                                    {"hdr", readPicture, hdrSeeds()},        {"rows", readRows, rowSeeds()},
+                                    {"model", readModel, modelSeeds()}};
+        for (Reader& reader : tables)
+            readers.push_back(std::move(reader));
+        return readers;
+    }();
     return all;
 }
 
