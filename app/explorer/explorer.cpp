@@ -6,6 +6,7 @@
 #include "app/explorer/prices.h"
 #include "app/explorer/requests.h"
 #include "app/explorer/session.h"
+#include "app/explorer/trust_view.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/user_folders.h"
 
@@ -106,6 +107,7 @@ void drawInterface(Session& session)
     drawSplitter(state, layout.splitter, width, scale);
     beginArea("##view", layout.picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
     drawViewport(state, session.viewport, session.renderer, layout.picture, session.window.pixelsPerPoint(), scale);
+    drawTrust(session, layout.picture);
     ImGui::End();
     drawBench(state, layout, scale);
     beginArea("##status", layout.status, ImGuiWindowFlags_NoScrollWithMouse, true);
@@ -153,7 +155,7 @@ void saveAskedWindowPicture(Session& session)
 
 void keepSession(Session& session)
 {
-    session.autosave.watch(session.state.scene, Clock::now());
+    session.autosave.watch(usersScene(session.state), Clock::now());
     session.state.earlierSessions = session.autosave.earlier();
     if (const std::optional<Error> problem = session.autosave.takeProblem())
         session.state.message = Message{"The session is not kept against a crash: " + problem->sentence(), true};

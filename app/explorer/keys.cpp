@@ -7,9 +7,15 @@ namespace {
 
 using Kind = Request::Kind;
 
-void request(ExplorerState& state, Kind kind)
+void request(ExplorerState& state, Kind kind, const std::string& path = {})
 {
-    state.requests.push_back({kind, {}});
+    state.requests.push_back({kind, path});
+}
+
+/// F2 .. F9 stand for the workbench's first eight pages; -1 for every other key.
+int pageOfKey(const std::string& key)
+{
+    return key.size() == 2 && key[0] == 'F' && key[1] >= '2' && key[1] <= '9' ? key[1] - '2' : -1;
 }
 
 void nextModel(ExplorerState& state, int step)
@@ -28,13 +34,23 @@ void selectLight(ExplorerState& state, int index)
         state.selectedLight = index;
 }
 
+/// On or off; with Shift the next arithmetic.
+void pressLens(ExplorerState& state, bool shift)
+{
+    if (!shift)
+        state.lens = state.lens ? std::nullopt : std::optional(LensKind::Float);
+    else if (state.lens)
+        state.lens = lensKinds[(static_cast<std::size_t>(*state.lens) + 1) % std::size(lensKinds)];
+}
+
 void requestForOffered(ExplorerState& state, Kind kind)
 {
     if (const EarlierSession* offered = offeredSession(state))
         state.requests.push_back({kind, offered->file});
 }
 
-/// Closes what lies on top: an overlay, then loading, then a message, then the offer of an earlier session.
+/// Closes what lies on top: an overlay, then loading, then a message, then a hazard's case, then the offer of an earlier
+/// session.
 void escape(ExplorerState& state)
 {
     if (state.showHelp || state.showFileBrowser)
@@ -43,6 +59,8 @@ void escape(ExplorerState& state)
         request(state, Kind::CancelLoading);
     else if (state.message)
         state.message.reset();
+    else if (leaveCase(state))
+        return;
     else
         requestForOffered(state, Kind::Dismiss);
 }
@@ -71,6 +89,8 @@ void pressAlone(const KeyPress& key, ExplorerState& state)
         state.turntable = !state.turntable;
     else if (key.key == "h")
         state.preferences.showLightHandles = !state.preferences.showLightHandles;
+    else if (key.key == "l")
+        pressLens(state, key.shift);
     else if (key.key == "m")
         nextModel(state, key.shift ? -1 : 1);
     else if (key.key.size() == 1 && key.key[0] >= '1' && key.key[0] <= '9')
@@ -79,6 +99,8 @@ void pressAlone(const KeyPress& key, ExplorerState& state)
         state.showHelp = !state.showHelp;
     else if (key.key == "F12")
         request(state, Kind::SaveView);
+    else if (const int page = pageOfKey(key.key); page >= 0)
+        request(state, Kind::TogglePage, std::to_string(page));
     else if (key.key == "Esc")
         escape(state);
 }

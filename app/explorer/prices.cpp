@@ -13,17 +13,18 @@ bool owed(const Session& session)
 }
 
 /// GL's own samples, its picture of them, and what shading them once more takes.
-std::optional<DrawnByGl> drawnByGl(Session& session)
+std::shared_ptr<const Rested> drawnByGl(Session& session)
 {
     GlRenderer& renderer = session.renderer;
     renderer.finish();
     renderer.invalidateShading();
     const Clock::time_point start = Clock::now();
-    if (!renderer.render(shownScene(session.state), session.viewport.settings))
-        return std::nullopt;
+    const Scene scene = shownScene(session.state);
+    if (!renderer.render(scene, session.viewport.settings))
+        return nullptr;
     renderer.finish();
     const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    return DrawnByGl{renderer.readSamples(), renderer.readLinear(), milliseconds};
+    return std::make_shared<Rested>(Rested{scene, {renderer.readSamples(), renderer.readLinear(), milliseconds}});
 }
 
 void noteChange(Session& session)
@@ -33,9 +34,22 @@ void noteChange(Session& session)
     session.countedPicture = session.viewport.pictures;
     session.lastChange = Clock::now();
     session.prices.cancel();
+    session.pricesWait = false;
+    dropTrust(session);
     session.state.priceTags.clear();
     session.state.sensorCounts.reset();
     session.state.measuringPrices = true;
+}
+
+/// Once nothing else runs that would make them slow.
+void startPrices(Session& session)
+{
+    if (!session.pricesWait || trustIsBusy(session))
+        return;
+    session.pricesWait = false;
+    session.prices.start([rested = session.trust.rested](Progress& progress) {
+        return measuredPrices(rested->scene, rested->drawn, progress);
+    });
 }
 
 } // namespace
@@ -57,13 +71,15 @@ void pollPrices(Session& session)
         session.state.sensorCounts = prices->counts;
         session.state.measuringPrices = false;
     }
-    if (!owed(session) || secondsUntilPrices(session) > 0.0)
-        return;
-    session.pricedPicture = session.viewport.pictures;
-    if (std::optional<DrawnByGl> drawn = drawnByGl(session))
-        session.prices.start([scene = shownScene(session.state), drawn = std::move(*drawn)](Progress& progress) {
-            return measuredPrices(scene, drawn, progress);
-        });
+    if (owed(session) && secondsUntilPrices(session) <= 0.0) {
+        session.pricedPicture = session.viewport.pictures;
+        if (std::shared_ptr<const Rested> rested = drawnByGl(session)) {
+            restTrust(session, std::move(rested));
+            session.pricesWait = true;
+        }
+    }
+    pollTrust(session);
+    startPrices(session);
 }
 
 } // namespace reflectance::explorer

@@ -2,6 +2,7 @@
 
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
+#include "app/explorer/ui/workbench/page.h"
 #include "app/explorer/user_folders.h"
 #include "core/base/file.h"
 #include "core/scene/scene_file.h"
@@ -35,9 +36,11 @@ void resetView(Session& session)
     frame(session);
 }
 
-/// Lights, surface and sensor as the program starts with; the mesh stays.
+/// Lights, surface and sensor as the program starts with; the mesh stays. From a hazard's case, the way back.
 void resetScene(Session& session)
 {
+    if (leaveCase(session.state))
+        return;
     Scene fresh = defaultScene();
     fresh.mesh = session.state.scene.mesh;
     fresh.meshFile = session.state.scene.meshFile;
@@ -50,6 +53,9 @@ void resetScene(Session& session)
 
 void saveScene(Session& session, std::string path)
 {
+    if (session.state.putAside)
+        return tell(session,
+                    "A hazard's case is on screen and is not saved. Esc brings your scene back; save it then.");
     if (path.empty())
         path = session.sceneFile;
     if (path.empty())
@@ -115,6 +121,12 @@ void serve(Session& session, const Request& request)
         session.loader.cancel();
         session.toOpen.clear();
         break;
+    case Kind::LeaveCase:
+        leaveCase(session.state);
+        break;
+    case Kind::TogglePage:
+        togglePage(session.state, std::stoi(request.path));
+        break;
     case Kind::Quit:
         session.quit = true;
         break;
@@ -167,6 +179,7 @@ void restore(Session& session, LoadedFile file)
 
 void takeOver(Session& session, LoadedFile file)
 {
+    leaveCase(session.state); // what is opened meets the user's scene
     if (session.autosave.offers(file.path))
         return restore(session, std::move(file));
     if (!file.content)

@@ -6,6 +6,7 @@
 #include "app/explorer/file_loader.h"
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/state.h"
+#include "app/explorer/trust.h"
 #include "app/explorer/user_folders.h"
 #include "app/explorer/viewport.h"
 #include "app/explorer/window.h"
@@ -25,6 +26,7 @@ struct Session {
     Viewport viewport;
     FileLoader loader{Window::wake};
     Background<Prices> prices{Window::wake};
+    Trust trust{Window::wake};
     Autosave autosave{stateFolder()};
 
     std::deque<std::string> toOpen;           ///< files that wait for the one being read
@@ -34,6 +36,7 @@ struct Session {
     bool quit = false;
 
     std::uint64_t pricedPicture = 0;  ///< Viewport::pictures when the prices were last asked for
+    bool pricesWait = false;          ///< asked for, but something else is being measured
     std::uint64_t countedPicture = 0; ///< Viewport::pictures when lastChange was noted
     Clock::time_point lastChange{};   ///< when the picture last changed
 };

@@ -2,11 +2,14 @@
 // frame loop draws it. No GL and no ImGui in here.
 #pragma once
 
+#include "app/explorer/exhibition.h"
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
 #include "core/study/curves.h"
+#include "core/study/lens/gl_check.h"
+#include "core/study/lens/term.h"
 #include "core/study/price_tag.h"
 
 #include <deque>
@@ -29,6 +32,8 @@ struct Request {
         ResetScene,
         SaveText,
         CancelLoading,
+        LeaveCase,
+        TogglePage,
         Dismiss,
         Quit
     };
@@ -36,6 +41,7 @@ struct Request {
     /// OpenFile: a mesh, scene or environment, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
     /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
     /// session; OpenFile restores it. SaveText: a name such as "curves.svg", made unique in the pictures folder.
+    /// TogglePage: the number of a page of the workbench, from 0.
     std::string path;
     std::string text = {}; ///< SaveText: what is written
 };
@@ -100,7 +106,16 @@ struct ExplorerState {
     bool measuringPrices = false;
     std::optional<SensorCounts> sensorCounts; ///< of the last picture; none where they were not counted
 
+    // What is known of the picture at rest.
+    std::optional<GlCheck> glCheck;  ///< GL against double; none while it is being looked at
+    bool markWorstPixel = false;     ///< also where it is within its bound
+    bool worstPixelSelected = false; ///< its values stand beside it
+    std::optional<LensKind> lens;    ///< the arithmetic whose digits lie over the picture
+    std::optional<LensFigures> lensFigures;
+
     ExtremesStudy extremes;
+    ExtremesPage extremesPage;
+    std::optional<PutAside> putAside; ///< a hazard's case is shown, and the user's scene waits here
     CurvesPage curves;
 
     // Between the panels and the frame loop.

@@ -56,6 +56,7 @@ void handleMouse(ExplorerState& state, Viewport& viewport)
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const Cursor cursor = viewport.view.cursorAt(mouse.x, mouse.y);
     const bool hovered = ImGui::IsItemHovered();
+    viewport.hovered = hovered;
     if (viewport.dragging()) {
         continueStroke(state, viewport, cursor);
         return;
@@ -169,6 +170,9 @@ void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer.developedTexture()));
     // Row 0 of the texture is the picture's lowest.
     canvas.AddImage(texture, {area.x, area.y}, {area.right(), area.bottom()}, {0.0F, 1.0F}, {1.0F, 0.0F});
+    if (viewport.overlay != 0)
+        canvas.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(viewport.overlay)), {area.x, area.y},
+                        {area.right(), area.bottom()});
     const int held = viewport.stroke.movesLight() ? viewport.stroke.light : -1;
     if (state.preferences.showLightHandles || held >= 0)
         drawLightHandles(canvas, state, viewport.view, viewport.hoveredLight, held);

@@ -16,6 +16,7 @@ struct Viewport {
     Stroke stroke;
     MouseButton button = MouseButton::Left; ///< that the stroke began with
     int hoveredLight = -1;
+    bool hovered = false; ///< the mouse is on the picture and on nothing that lies over it
 
     Camera shownCamera;              ///< of the last picture
     Clock::time_point cameraMoved{}; ///< when it last changed
@@ -23,6 +24,7 @@ struct Viewport {
     RenderSettings settings;         ///< of the last picture
     std::uint64_t pictures = 0;      ///< how many different ones were drawn
     bool refinementOwed = false;     ///< the last picture had fewer samples than wanted
+    unsigned overlay = 0;            ///< a texture over the picture, row 0 the highest; 0 for none
 
     [[nodiscard]] bool dragging() const { return stroke.kind != Stroke::Kind::None; }
 };

@@ -10,13 +10,11 @@ namespace {
 
 std::string namedKey(int key)
 {
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
+        return "F" + std::to_string(1 + key - GLFW_KEY_F1);
     switch (key) {
     case GLFW_KEY_ESCAPE:
         return "Esc";
-    case GLFW_KEY_F1:
-        return "F1";
-    case GLFW_KEY_F12:
-        return "F12";
     default:
         return {};
     }

@@ -52,6 +52,34 @@ TEST(Keys, AnswerTheOfferOfAnEarlierSession)
         EXPECT_EQ(request.path, "2.json") << "the first is dismissed already";
 }
 
+TEST(Keys, OpenPagesOfTheWorkbench)
+{
+    ExplorerState state = stateWithLights(1);
+    press({"F2"}, state);
+    press({"F9"}, state);
+    press({"F11"}, state);
+    ASSERT_EQ(state.requests.size(), 2U);
+    for (const Request& request : state.requests)
+        EXPECT_EQ(request.kind, Request::Kind::TogglePage);
+    EXPECT_EQ(state.requests[0].path, "0");
+    EXPECT_EQ(state.requests[1].path, "7");
+}
+
+TEST(Keys, LayTheLensAndChangeIt)
+{
+    ExplorerState state = stateWithLights(1);
+    press({"l", false, true}, state);
+    EXPECT_FALSE(state.lens) << "there is none to change";
+    press({"l"}, state);
+    EXPECT_EQ(state.lens, LensKind::Float);
+    for (const LensKind next : {LensKind::Half, LensKind::Simd, LensKind::Glsl, LensKind::Float}) {
+        press({"l", false, true}, state);
+        EXPECT_EQ(state.lens, next);
+    }
+    press({"l"}, state);
+    EXPECT_FALSE(state.lens);
+}
+
 TEST(Keys, SwitchAndSwitchBack)
 {
     ExplorerState state = stateWithLights(1);

@@ -87,6 +87,12 @@ void drawCamera(const Pen& pen)
     pen.circle(0, 0.12F, 0.36F);
 }
 
+void drawLens(const Pen& pen)
+{
+    pen.circle(-0.2F, -0.2F, 0.66F);
+    pen.line(std::array<ImVec2, 2>{{{0.3F, 0.3F}, {0.95F, 0.95F}}});
+}
+
 void drawReset(const Pen& pen)
 {
     pen.arc(-230, 50, 0.8F);
@@ -122,6 +128,8 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float radius, ImU32 co
         return drawSun(pen);
     case Icon::Camera:
         return drawCamera(pen);
+    case Icon::Lens:
+        return drawLens(pen);
     case Icon::Reset:
         return drawReset(pen);
     case Icon::Help:

@@ -19,6 +19,7 @@ inline constexpr Shortcut shortcutTable[] = {
     {"View", "F", "frame the object"},
     {"View", "R", "the first view again"},
     {"View", "T", "turntable on or off"},
+    {"View", "L, Shift+L", "the lens: digits that float keeps; the next arithmetic"},
     {"Lights", "drag a handle", "move that light over the sphere of directions"},
     {"Lights", "click a handle, 1 \u2026 9", "select a light"},
     {"Lights", "Ctrl+Shift+drag", "turn the selected light, anywhere in the view"},
@@ -33,8 +34,9 @@ inline constexpr Shortcut shortcutTable[] = {
     {"Program", "Ctrl+S", "save the scene"},
     {"Program", "Ctrl+R", "restore the session before a crash, while it is offered"},
     {"Program", "F12, Ctrl+F12", "save a picture of the view, of the whole window"},
+    {"Program", "F2 \u2026 F9", "open or close a page of the workbench"},
     {"Program", "F1", "this page"},
-    {"Program", "Esc", "close what is on top, stop loading, dismiss a message"},
+    {"Program", "Esc", "close what is on top, stop loading, leave a hazard's case"},
     {"Program", "Ctrl+Q", "quit"},
 };
 

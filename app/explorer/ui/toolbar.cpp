@@ -102,7 +102,7 @@ void drawOpenButton(ExplorerState& state, bool withLabels)
     }
 }
 
-constexpr std::array<const char*, 6> leftLabels = {"Open", "Frame", "Turntable", "Handles", "Picture", "Reset"};
+constexpr std::array<const char*, 7> leftLabels = {"Open", "Frame", "Turntable", "Handles", "Lens", "Picture", "Reset"};
 
 bool labelsFit(float width)
 {
@@ -148,6 +148,9 @@ void drawToolbar(ExplorerState& state)
     if (toolButton(Icon::Lights, "Handles", handles, withLabels,
                    "Show the handles of the lights; drag one to move its light.  H"))
         handles = !handles;
+    if (toolButton(Icon::Lens, "Lens", state.lens.has_value(), withLabels,
+                   "Paint the digits that float, half, SIMD or GL keep of double over the picture.  L"))
+        state.lens = state.lens ? std::nullopt : std::optional(LensKind::Float);
     if (toolButton(Icon::Camera, "Picture", false, withLabels,
                    "Save a picture of the view.  F12.  Ctrl+F12 saves the whole window."))
         state.requests.push_back({Kind::SaveView, {}});

@@ -34,7 +34,14 @@ std::string absentModel(const Hazard& hazard, const Instruments& instruments)
 
 Finding begun(const Hazard& hazard, std::string arithmetic)
 {
-    return {hazard.id, hazard.danger, std::move(arithmetic), hazard.input, hazard.expected, {}, Verdict::NotYet};
+    return {static_cast<std::size_t>(&hazard - hazards().data()),
+            hazard.id,
+            hazard.danger,
+            std::move(arithmetic),
+            hazard.input,
+            hazard.expected,
+            {},
+            Verdict::NotYet};
 }
 
 Finding finding(const Hazard& hazard, const Instruments& instruments, Precision precision, std::string arithmetic)
@@ -82,6 +89,12 @@ std::vector<Finding> runExtremes(const Instruments& instruments, std::string_vie
         if (only.empty() || hazard.id == only)
             run(hazard, instruments, findings);
     return findings;
+}
+
+Exhibit exhibitOf(const Finding& finding)
+{
+    const Hazard& hazard = hazards().at(finding.hazard);
+    return hazard.show ? hazard.show() : Exhibit{std::nullopt, "There is no picture of this case."};
 }
 
 std::vector<std::string> hazardIds()

@@ -2,6 +2,7 @@
 // this very run found, and the verdict, in every arithmetic that a hazard concerns.
 #pragma once
 
+#include "core/study/extremes/exhibit.h"
 #include "core/study/extremes/instruments.h"
 
 #include <string>
@@ -21,6 +22,7 @@ enum class Verdict {
 
 /// One row of the report.
 struct Finding {
+    std::size_t hazard = 0; ///< its place in the table
     std::string id;         ///< "H04"
     std::string danger;     ///< what can go wrong
     std::string arithmetic; ///< "double", "float", "simd", "glsl"; "-" where no model computes
@@ -31,6 +33,9 @@ struct Finding {
 
 /// Every hazard, or the one with this id, in every arithmetic that it concerns. An unknown id gives no findings.
 [[nodiscard]] std::vector<Finding> runExtremes(const Instruments& instruments, std::string_view only = {});
+
+/// The case of a finding, to be looked at.
+[[nodiscard]] Exhibit exhibitOf(const Finding& finding);
 
 /// The ids, in their order.
 [[nodiscard]] std::vector<std::string> hazardIds();

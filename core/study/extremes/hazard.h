@@ -1,7 +1,7 @@
 // A hazard as data: a row of the tables in lobe.cpp, vectors.cpp and their neighbours.
 #pragma once
 
-#include "core/study/extremes/bench.h"
+#include "core/study/extremes/exhibit.h"
 
 namespace reflectance {
 
@@ -13,6 +13,7 @@ struct Hazard {
     std::vector<Precision> precisions;    ///< empty: once, no model computes
     std::vector<std::string> models = {}; ///< without all of these the hazard does not apply yet
     std::function<Outcome(Bench&)> check = {};
+    Show show = {};           ///< the case as a picture
     std::string missing = {}; ///< the part of the program that does not exist yet; then there is no check
 };
 

@@ -58,19 +58,24 @@ Outcome denormals(Bench& bench)
     return {holds, found};
 }
 
-/// 200 steps off the peak of n = 1e6, in a plane that no axis favours.
+/// Off the peak of n = 1e6, in a plane that no axis favours.
+Question steepest(double offset)
+{
+    Question question = phong(1e6, {});
+    question.N = normalized(Vec3d(2, 3, 6));
+    question.L = tilted(question.N, 0.7, 1.0);
+    question.V = tilted(tilted(question.N, 0.7, 1.0 + std::numbers::pi), offset, 2.0);
+    return question;
+}
+
+/// 200 steps off it.
 Outcome highlightFalls(Bench& bench)
 {
     constexpr double n = 1e6;
     const auto offset = [](std::size_t i) { return 5e-3 * static_cast<double>(i) / 200.0; };
     std::vector<Question> questions;
-    for (std::size_t i = 0; i <= 200; ++i) {
-        Question question = phong(n, {});
-        question.N = normalized(Vec3d(2, 3, 6));
-        question.L = tilted(question.N, 0.7, 1.0);
-        question.V = tilted(tilted(question.N, 0.7, 1.0 + std::numbers::pi), offset(i), 2.0);
-        questions.push_back(question);
-    }
+    for (std::size_t i = 0; i <= 200; ++i)
+        questions.push_back(steepest(offset(i)));
     const std::vector<Vec3d> values = bench.ask(questions);
     double worst = 0.0;
     for (std::size_t i = 1; i < values.size(); ++i) {
@@ -117,28 +122,36 @@ Hazards highlightHazards()
          "7.06545e-218 (float: 0), 0.6065306, 0.9512294, 0.006737941 within the bound",
          inEveryPrecision,
          {"phong"},
-         farOffThePeak},
+         farOffThePeak,
+         seen(phong(1e7, offPeak(1e-3)),
+              "The middle lies 1e-3 off the peak of n = 1e7: 0.0067, at the foot of the highlight.")},
         {"H06",
          "denormal results",
          "Phong, n = 1e5, cos^n = 1e-36, 1e-39, 1e-41, 1e-50, 1e-300",
          "so in double; else to 1.18e-38",
          inEveryPrecision,
          {"phong"},
-         denormals},
+         denormals,
+         seen(phong(1e5, offPeak(4e-3)), "The highlight of n = 1e5: where it has faded, its values fall below what "
+                                         "floats hold, and that takes no longer.")},
         {"H08",
          "a highlight with steps",
          "Phong, n = 1e6, 200 offsets up to 5e-3",
          "falls at every step (float: rises by rounding at most)",
          inEveryPrecision,
          {"phong"},
-         highlightFalls},
+         highlightFalls,
+         seen(steepest(0.0),
+              "From the middle the highlight falls evenly: no rings, no steps. Zoom in, and put the lens over it.")},
         {"H09",
          "the exponent swept",
          "Phong, 0.1 off the peak, n = 1e-3 .. 1e7 and the integers beside",
          "no rise with n, no step: each value within the bound",
          inEveryPrecision,
          {"phong"},
-         exponentSwept},
+         exponentSwept,
+         seen(phong(1000.0, offPeak(0.1)),
+              "The middle lies 0.1 off the peak. Move n slowly past an integer: nothing jumps.")},
     };
 }
 

@@ -38,10 +38,16 @@ Outcome negativeBase(Bench& bench)
     return exactly(bench.ask(phong(10.0, {1, 0, -1e-8})), Vec3d());
 }
 
-Outcome overshootAtThePeak(Bench& bench)
+Question slantedPeak()
 {
     Question slanted = phong(1e7, {3, 0, 4}, 0.75);
     slanted.L = {-3, 0, 4};
+    return slanted;
+}
+
+Outcome overshootAtThePeak(Bench& bench)
+{
+    const Question slanted = slantedPeak();
     Question head = phong(1e7, {2, 3, 6}, 0.75);
     head.N = head.L = {2, 3, 6};
     const Vec3d a = bench.ask(slanted);
@@ -96,16 +102,20 @@ Outcome outOfRange(Bench& bench)
             std::to_string(refused) + " refused by name, " + std::to_string(taken) + " taken"};
 }
 
+Question atTheHorizon(const char* model, double n)
+{
+    Question question{model, {{"ks", {1.0}}, {"n", {n}}}};
+    question.L = {1, 0, 0};
+    question.V = {-1, 0, 0};
+    return question;
+}
+
 Outcome gateAtTheHorizon(Bench& bench)
 {
     Vec3d sum;
     for (const double n : {0.0, 1.0, 40.0, 1e7})
-        for (const char* model : {"phong", "hybrid"}) {
-            Question question{model, {{"ks", {1.0}}, {"n", {n}}}};
-            question.L = {1, 0, 0};
-            question.V = {-1, 0, 0};
-            sum += bench.ask(question);
-        }
+        for (const char* model : {"phong", "hybrid"})
+            sum += bench.ask(atTheHorizon(model, n));
     return exactly(sum, Vec3d());
 }
 
@@ -120,49 +130,59 @@ Hazards lobeHazards()
          "0.75 exactly",
          inEveryPrecision,
          {"phong"},
-         zeroExponent},
+         zeroExponent,
+         seen(phong(0.0, {std::sqrt(0.51), 0, 0.7}, 0.75),
+              "0.75 wherever R.V > 0: a lobe without slope, up to its horizon.")},
         {"H02",
          "0 to the power 0",
          "Phong, n = 0, R.V = 0 and -0.3",
          "0, 0: the lobe ends at its horizon",
          inEveryPrecision,
          {"phong"},
-         zeroToTheZero},
+         zeroToTheZero,
+         seen(phong(0.0, {1, 0, 0}), "The lobe ends where R.V = 0: half of the sphere is 1, the other half 0.")},
         {"H03",
          "a negative base",
          "Phong, n = 10, R.V = -1e-8",
          "0, not NaN",
          inEveryPrecision,
          {"phong"},
-         negativeBase},
+         negativeBase,
+         seen(phong(10.0, {1, 0, -1e-8}), "Dark beyond the lobe's horizon, and no pixel that is no number.")},
         {"H04",
          "the peak overshoots",
          "Phong, ks = 0.75, n = 1e7, L = (-3,0,4), V = (3,0,4); N = L = V = (2,3,6)",
          "0.75, 0.75 within a unit",
          inEveryPrecision,
          {"phong"},
-         overshootAtThePeak},
+         overshootAtThePeak,
+         seen(slantedPeak(), "The middle is the peak: 0.75, not 0.75 (1 + 7e-7)^n, which is a thousand.")},
         {"H04",
          "the lobe exceeds 1",
          "Phong, n = 1e7, V = R for 20000 directions",
          "0 above 1",
          inEveryPrecision,
          {"phong"},
-         overshootAnywhere},
+         overshootAnywhere,
+         seen(slantedPeak(), "The middle is the peak. No pixel is brighter than its light.")},
         {"H07",
          "parameters out of range",
          "NaN, infinities, below and beyond the range, every parameter of every model",
          "refused by name, the last value kept",
          {},
          {},
-         outOfRange},
+         outOfRange,
+         unseen("These values are refused, so no picture has them.")},
         {"H18",
          "the gate at the horizon",
          "Phong and hybrid, N.L = 0, R.V = 1, any n",
          "0",
          inEveryPrecision,
          {"phong", "hybrid"},
-         gateAtTheHorizon},
+         gateAtTheHorizon,
+         seen(
+             atTheHorizon("hybrid", 40.0),
+             "The middle is lit from its horizon and looked at along R: 0. Beyond it, the highlight of the lit side.")},
     };
 }
 

@@ -35,31 +35,33 @@ std::string waves(double scale, double offset)
     return text;
 }
 
-/// The mesh in the text under one light, hybrid on black.
-Result<Scene> sceneOf(const std::string& obj)
-{
-    auto read = readMesh(obj, "extreme.obj");
-    if (!read)
-        return read.error();
-    Scene scene;
-    scene.mesh = read->mesh;
-    scene.environment.kind = EnvironmentKind::None;
-    scene.background.color = {};
-    scene.lights.emplace_back();
-    scene.lights.front().direction = {-0.5, 0.7, 0.8};
-    return scene;
-}
-
 /// A square about the origin in the plane z = 0, seen straight on: the middle sample meets the origin.
 Result<Scene> squareUnder(const Light& light)
 {
-    auto scene = sceneOf("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
+    auto scene = sceneOfObj("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
     if (!scene)
         return scene;
     scene->camera.eye = {0, 0, 3};
     scene->lights = {light};
     scene->surface = {"lambert", {{"kd", {1.0}}}};
     return scene;
+}
+
+Result<Scene> squareUnderALamp()
+{
+    Light lamp;
+    lamp.kind = LightKind::Point;
+    lamp.position = {0, 0, 1e-3};
+    return squareUnder(lamp);
+}
+
+Result<Scene> squareUnderTheSun()
+{
+    Light far;
+    far.kind = LightKind::Point;
+    far.position = 1e15 * normalized(Vec3d(1, 2, 3));
+    far.intensity = Vec3d(1e30);
+    return squareUnder(far);
 }
 
 std::size_t nonFinite(const Image& image)
@@ -84,9 +86,11 @@ float brightest(const Image& image)
     return *std::max_element(image.rgb.begin(), image.rgb.end());
 }
 
+const std::string badNormalsText = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvn nan 0 1\nvn inf 0 0\nf 1//1 2//2 3//1\n";
+
 Outcome badNormalsSeen(Bench& bench)
 {
-    const auto scene = sceneOf("v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvn nan 0 1\nvn inf 0 0\nf 1//1 2//2 3//1\n");
+    const auto scene = sceneOfObj(badNormalsText);
     if (!scene)
         return {false, scene.error().sentence()};
     const Image image = bench.render(*scene, settings);
@@ -96,13 +100,13 @@ Outcome badNormalsSeen(Bench& bench)
 
 Outcome samePicture(Bench& bench, const std::vector<std::pair<double, double>>& placements)
 {
-    const auto plain = sceneOf(waves(1.0, 0.0));
+    const auto plain = sceneOfObj(waves(1.0, 0.0));
     if (!plain)
         return {false, plain.error().sentence()};
     const Image expected = bench.render(*plain, settings);
     int worst = 0;
     for (const auto& [scale, offset] : placements) {
-        const auto scene = sceneOf(waves(scale, offset));
+        const auto scene = sceneOfObj(waves(scale, offset));
         if (!scene)
             return {false, scene.error().sentence()};
         worst = std::max(worst, codesApart(bench.render(*scene, settings), expected));
@@ -194,42 +198,49 @@ Hazards pictureHazards()
          "0 channels not finite, and light",
          inEveryPrecision,
          {},
-         badNormalsSeen},
+         badNormalsSeen,
+         seenMesh(badNormalsText, "A triangle that shines as its face says: the file's normals are no numbers.")},
         {"H40",
          "a light on the surface",
          "a point light 0, 1e-30, 1e-20 and 1e-3 above a seen point",
          "0, 1e+12, 1e+12, 1e+06: r counts as 1e-6 at least",
          inEveryPrecision,
          {"lambert"},
-         lightOnTheSurface},
+         lightOnTheSurface,
+         seenScene(squareUnderALamp, "A point light 1e-3 above the surface: 1e6 below it, and no pixel that is "
+                                     "infinite. Lower the exposure to see it fall off.")},
         {"H41",
          "a light far away",
          "a point light at 1e3 .. 1e15, made as bright as a directional one",
          "as the directional one to 4/D",
          inEveryPrecision,
          {"lambert"},
-         lightFarAway},
+         lightFarAway,
+         seenScene(squareUnderTheSun, "A point light at 1e15, as bright as one without a place: the square is even.")},
         {"H60",
          "large and small meshes",
          "a mesh times 1e-6 and 1e6",
          "at most 1 code apart from times 1",
          inEveryPrecision,
          {},
-         scaledMeshes},
+         scaledMeshes,
+         seenMesh(waves(1e-6, 0.0), "A mesh of 1e-6 of the usual size: it looks as any other.")},
         {"H61",
          "a mesh far from the origin",
          "a mesh moved by 1e6",
          "at most 1 code apart from unmoved",
          inEveryPrecision,
          {},
-         offsetMesh},
+         offsetMesh,
+         seenMesh(waves(1.0, 1e6), "A mesh that the file puts 1e6 away from the origin: its waves are smooth.")},
         {"H72",
          "threads that flush subnormal numbers",
          "Lambert, kd = 1e-310 under a light of 1e300; float: 1e-40, 1e30",
          "1e-10",
          {Precision::Double, Precision::Float, Precision::Simd},
          {"lambert"},
-         subnormalsInThreads},
+         subnormalsInThreads,
+         unseen("The value is 1e-10, which no display tells from black.")},
     };
 }
 

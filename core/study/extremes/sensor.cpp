@@ -127,16 +127,42 @@ Outcome banding(Bench&)
                 " from ours; a power of 1/2.2 is " + general(gamma, 2) + " codes off"};
 }
 
+double ramp(double x, double)
+{
+    return x;
+}
+
+/// Four bars on grey.
+double noLight(double x, double y)
+{
+    const double values[] = {-0.1, NAN, -INFINITY, INFINITY};
+    const double place = 4.0 * x;
+    const auto bar = static_cast<std::size_t>(place);
+    const bool inside = std::fabs(place - std::floor(place) - 0.5) < 0.3 && std::fabs(y - 0.5) < 0.3;
+    return inside ? values[std::min<std::size_t>(bar, 3)] : 0.2;
+}
+
+double darkRamp(double x, double y)
+{
+    const double radiance = 0.06 * x;
+    return y < 0.5 ? std::floor(255.0 * radiance + 0.5) / 255.0 : radiance;
+}
+
 } // namespace
 
 Hazards sensorHazards()
 {
+    const Show rampSeen = seenRadiance(
+        ramp, "Radiance from 0 at the left to 1 at the right, through this driver's curve: even steps to the eye.");
+    const Show noLightSeen = seenRadiance(noLight, "From the left: -0.1, NaN, -infinity, +infinity, on grey. Three are "
+                                                   "black, one is white, and the sensor counts them.");
     return {
         {.id = "H50",
          .danger = "a half-float buffer",
          .input = "65504, 65519, 65520, 1e6",
          .expected = "65504 from there on",
          .precisions = {},
+         .show = unseen("There is no half-float buffer. The lens shows what one would keep."),
          .missing = "half-float buffer: linear pictures are float"},
         {"H51",
          "the curve of what is no light",
@@ -144,42 +170,49 @@ Hazards sensorHazards()
          "0 0 0 255, counted 2 negative, 3 not finite",
          {},
          {},
-         specialValues},
+         specialValues,
+         noLightSeen},
         {"H52",
          "ties in quantisation",
          "1/2 and (k + 1/2 +- 1e-9) / 255",
          "floor(255 x + 1/2): 0 of 511 wrong",
          {},
          {},
-         ties},
+         ties,
+         rampSeen},
         {"H53",
          "the sRGB curve",
          "256 codes there and back; 4097 linear values",
          "0 lost, 0 wrong",
          {},
          {},
-         exactCurve},
+         exactCurve,
+         rampSeen},
         {"H54",
          "banding",
          "linear ramps of 256 and 65536 steps",
          "183 codes from bytes (0, 13, 22, 28, ..), 256 from ours; 1/2.2 is 8.5 off",
          {},
          {},
-         banding},
+         banding,
+         seenRadiance(darkRamp,
+                      "Above, a dark ramp kept in bytes before the sensor: steps. Below, the same ramp in floats.")},
         {"H51",
          "the shader's curve of what is no light",
          "-0.1, NaN, -infinity, +infinity",
          "0 0 0 255",
          {Precision::Glsl},
          {},
-         specialValuesInGlsl},
+         specialValuesInGlsl,
+         noLightSeen},
         {"H53",
          "the shader's sRGB curve",
          "256 codes and 4097 linear values",
          "0 wrong, ties to 2.5e-4 apart",
          {Precision::Glsl},
          {},
-         exactCurveInGlsl},
+         exactCurveInGlsl,
+         rampSeen},
     };
 }
 

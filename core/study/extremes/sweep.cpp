@@ -145,22 +145,37 @@ std::optional<double> firstLoss(const Bench& bench, const std::string& model, co
 
 } // namespace
 
-std::vector<SweepRow> sweepExtremes(const Instruments& instruments)
+std::vector<SweepTask> sweepTasks(const Instruments& instruments)
 {
-    const Instruments textbook = textbookInstruments(instruments);
-    std::vector<SweepRow> rows;
+    std::vector<SweepTask> tasks;
     for (const Model& model : *instruments.models) {
         if (!hasTextbookForm(model))
             continue;
-        for (const Sweep& sweep : sweepsOf(model.id()))
-            for (const Precision precision : {Precision::Double, Precision::Float, Precision::Simd, Precision::Glsl}) {
-                if (precision == Precision::Glsl && !instruments.whyNoGlsl.empty())
-                    continue;
-                rows.push_back({model.id(), sweep.swept, std::string(nameOf(precision)), sweep.points.back(),
-                                firstLoss(Bench(textbook, precision), model.id(), sweep),
-                                firstLoss(Bench(instruments, precision), model.id(), sweep)});
-            }
+        for (std::size_t sweep = 0; sweep < sweepsOf(model.id()).size(); ++sweep)
+            for (const Precision precision : {Precision::Double, Precision::Float, Precision::Simd, Precision::Glsl})
+                if (precision != Precision::Glsl || instruments.whyNoGlsl.empty())
+                    tasks.push_back({model.id(), sweep, precision});
     }
+    return tasks;
+}
+
+SweepRow sweepRow(const Instruments& instruments, const SweepTask& task)
+{
+    const Instruments textbook = textbookInstruments(instruments);
+    const Sweep sweep = sweepsOf(task.model).at(task.sweep);
+    return {task.model,
+            sweep.swept,
+            std::string(nameOf(task.precision)),
+            sweep.points.back(),
+            firstLoss(Bench(textbook, task.precision), task.model, sweep),
+            firstLoss(Bench(instruments, task.precision), task.model, sweep)};
+}
+
+std::vector<SweepRow> sweepExtremes(const Instruments& instruments)
+{
+    std::vector<SweepRow> rows;
+    for (const SweepTask& task : sweepTasks(instruments))
+        rows.push_back(sweepRow(instruments, task));
     return rows;
 }
 

@@ -22,7 +22,18 @@ struct SweepRow {
     std::optional<double> ours;
 };
 
+/// A row that is still to be computed.
+struct SweepTask {
+    std::string model;
+    std::size_t sweep; ///< index among the model's
+    Precision precision;
+};
+
 /// Models without a textbook form are left out, GLSL where it does not run.
+[[nodiscard]] std::vector<SweepTask> sweepTasks(const Instruments& instruments);
+[[nodiscard]] SweepRow sweepRow(const Instruments& instruments, const SweepTask& task);
+
+/// All of them.
 [[nodiscard]] std::vector<SweepRow> sweepExtremes(const Instruments& instruments);
 
 } // namespace reflectance

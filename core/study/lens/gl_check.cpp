@@ -13,7 +13,7 @@ namespace {
 constexpr double smallestNormal = 0x1p-126;
 
 /// Rows of the grid that are examined at a time: few enough that a cancelled check ends at once.
-constexpr std::ptrdiff_t rowsAtATime = 8;
+constexpr std::ptrdiff_t rowsAtATime = 2;
 
 void see(const GlPixel& pixel, GlCheck& check)
 {

@@ -1,17 +1,14 @@
 #include "app/explorer/ui/workbench/extremes_page.h"
 
 #include "app/explorer/ui/widgets.h"
+#include "app/explorer/ui/workbench/hazards_table.h"
+#include "app/explorer/ui/workbench/losses_table.h"
 
 #include <algorithm>
 
 namespace reflectance::explorer {
 
 namespace {
-
-ImU32 colorOf(Verdict verdict)
-{
-    return verdict == Verdict::Pass ? palette::good : verdict == Verdict::Fail ? palette::error : palette::quiet;
-}
 
 std::string summaryText(const ExtremesSummary& summary)
 {
@@ -26,68 +23,87 @@ std::string summaryText(const ExtremesSummary& summary)
     return text;
 }
 
-void drawHead(ExtremesStudy& study)
+void drawRun(ExtremesStudy& study, ExtremesPage& page)
 {
     if (study.running) {
         if (ImGui::Button("Stop"))
             study.running = false;
         tooltip("Stop here; what has been found stays.");
         ImGui::SameLine();
-        ImGui::ProgressBar(study.done(), {points(160), 0});
-        tooltip("Hazards tried so far.");
-    } else {
-        if (ImGui::Button(study.findings.empty() ? "Run all" : "Run again"))
-            study.start();
-        tooltip("Tries every hazard in double, float, SIMD and this driver's GLSL.");
+        ImGui::ProgressBar(study.done(), {points(120), 0});
+        tooltip("Hazards and sweeps tried so far.");
+        return;
     }
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    if (study.findings.empty())
+    if (ImGui::Button(study.findings.empty() ? "Run all" : "Run again")) {
+        study.start();
+        page.selected.reset();
+    }
+    tooltip("Tries every hazard in double, float, SIMD and this driver's GLSL.");
+}
+
+/// Which table, and which of its rows.
+void drawChoices(ExtremesPage& page)
+{
+    ImGui::SameLine(0, points(12));
+    if (toggleButton("Hazards", !page.losses))
+        page.losses = false;
+    tooltip("The hazards H01 to H74, row by row. Click a row to see its case.");
+    ImGui::SameLine(0, points(2));
+    if (toggleButton("Where digits go", page.losses))
+        page.losses = true;
+    tooltip("The first exponent, angle or length at which each model loses three digits, as a textbook writes it and "
+            "here.");
+    if (page.losses)
+        return;
+    ImGui::SameLine(0, points(12));
+    if (toggleButton("Only failures", page.onlyFailures))
+        page.onlyFailures = !page.onlyFailures;
+    tooltip("Leave out what passed, does not apply, or could not run.");
+}
+
+void drawHead(ExplorerState& state)
+{
+    drawRun(state.extremes, state.extremesPage);
+    if (state.extremes.findings.empty()) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
         remark("47 inputs at which reflectance code gives NaN, wrong digits, or a highlight brighter than its light.");
-    else
-        remark(summaryText(summaryOf(study.findings)), palette::text, Face::Body);
+        return;
+    }
+    drawChoices(state.extremesPage);
+    ImGui::SameLine(0, points(12));
+    ImGui::AlignTextToFramePadding();
+    const std::string summary = summaryText(summaryOf(state.extremes.findings));
+    remark(elided(summary, ImGui::GetContentRegionAvail().x), palette::text, Face::Body);
 }
 
-void cell(const std::string& text, ImU32 color = palette::quiet)
+/// The selected row in full.
+void drawDetail(const ExplorerState& state)
 {
-    ImGui::TableNextColumn();
-    remark(elided(text, ImGui::GetContentRegionAvail().x), color);
-}
-
-void drawRow(const Finding& finding)
-{
-    ImGui::TableNextRow();
-    cell(finding.id, palette::accent);
-    cell(finding.danger, palette::text);
-    cell(finding.arithmetic);
-    cell(finding.expected);
-    cell(finding.found, palette::text);
-    cell(std::string(nameOf(finding.verdict)), colorOf(finding.verdict));
+    const auto& [onlyFailures, losses, selected] = state.extremesPage;
+    if (!selected || *selected >= state.extremes.findings.size())
+        return;
+    const Finding& finding = state.extremes.findings[*selected];
+    ImGui::BeginChild("detail", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+    remark(finding.id + "  " + finding.danger + ", " + finding.arithmetic + ".  In: " + finding.input, palette::text);
+    remark("Expected: " + finding.expected);
+    remark("Found: " + finding.found, finding.verdict == Verdict::Fail ? palette::error : palette::text);
+    ImGui::EndChild();
 }
 
 } // namespace
 
 void drawExtremesPage(ExplorerState& state)
 {
-    ExtremesStudy& study = state.extremes;
-    drawHead(study);
-    if (study.findings.empty())
+    drawHead(state);
+    if (state.extremes.findings.empty())
         return;
-    constexpr ImGuiTableFlags flags =
-        ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
-    if (!ImGui::BeginTable("hazards", 6, flags))
+    if (state.extremesPage.losses) {
+        drawLossesTable(state.extremes.losses);
         return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("id", ImGuiTableColumnFlags_WidthFixed, points(34));
-    ImGui::TableSetupColumn("hazard", 0, 1.6F);
-    ImGui::TableSetupColumn("in", ImGuiTableColumnFlags_WidthFixed, points(48));
-    ImGui::TableSetupColumn("expected", 0, 1.6F);
-    ImGui::TableSetupColumn("found", 0, 1.6F);
-    ImGui::TableSetupColumn("verdict", ImGuiTableColumnFlags_WidthFixed, points(52));
-    ImGui::TableHeadersRow();
-    for (const Finding& finding : study.findings)
-        drawRow(finding);
-    ImGui::EndTable();
+    }
+    drawHazardsTable(state);
+    drawDetail(state);
 }
 
 } // namespace reflectance::explorer

@@ -1,0 +1,30 @@
+// A hazard's case in the place of the user's scene, which waits untouched until it comes back.
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/study/extremes/extremes.h"
+
+#include <string>
+
+namespace reflectance::explorer {
+
+struct ExplorerState;
+
+/// The user's scene and what belongs to looking at it, while a case is shown.
+struct PutAside {
+    Scene scene;
+    int selectedLight = 0, soloLight = -1;
+    bool turntable = false;
+    std::string title, caption; ///< of the case that is shown
+};
+
+/// Shows the finding's case. One that cannot be shown changes nothing but the message, which says why.
+void showCase(ExplorerState& state, const Finding& finding);
+
+/// The user's scene again, exactly as it was. False where it is there already.
+bool leaveCase(ExplorerState& state);
+
+/// What the user works on, whatever is shown: this is kept against crashes.
+[[nodiscard]] const Scene& usersScene(const ExplorerState& state);
+
+} // namespace reflectance::explorer

@@ -1,0 +1,11 @@
+// What lies over the picture: GL's badge, the worst pixel's mark, the lens' legend and reading.
+#pragma once
+
+#include "app/explorer/session.h"
+
+namespace reflectance::explorer {
+
+/// Into the picture's own window, after the picture.
+void drawTrust(Session& session, const Area& area);
+
+} // namespace reflectance::explorer
