@@ -19,7 +19,8 @@ using tools::instantiated;
 
 std::string memberType(ParameterKind kind)
 {
-    return kind == ParameterKind::Number ? "T" : kind == ParameterKind::Color ? "Vec3<T>" : "Mat3<T>";
+    constexpr const char* types[] = {"T", "Vec3<T>", "Mat3<T>", "int", "T"}; // in the order of ParameterKind
+    return types[static_cast<std::size_t>(kind)];
 }
 
 std::string memberValue(const Parameter& p)
@@ -30,6 +31,14 @@ std::string memberValue(const Parameter& p)
     };
     if (p.kind == ParameterKind::Number)
         return number(0);
+    if (p.kind == ParameterKind::Choice)
+        return "static_cast<int>(values[" + std::to_string(p.offset) + "])";
+    if (p.kind == ParameterKind::List) {
+        std::string numbers;
+        for (std::size_t i = 0; i < p.size; ++i)
+            numbers += (i > 0 ? ", " : "") + number(i);
+        return numbers;
+    }
     if (p.kind == ParameterKind::Color)
         return triple(0);
     return "Mat3<T>{{" + triple(0) + ", " + triple(3) + ", " + triple(6) + "}}";
@@ -40,11 +49,12 @@ void writeModel(std::ostream& out, const ModelText& model)
     out << "\ntemplate <class T> struct " << model.id << " : Frame<T> {\n"
         << "    using Frame<T>::insideLight;\n    using Frame<T>::environment;\n";
     for (const Parameter& p : model.parameters)
-        out << "    " << memberType(p.kind) << " " << p.name << ";\n";
+        out << "    " << memberType(p.kind) << " " << p.name
+            << (p.kind == ParameterKind::List ? "[" + std::to_string(p.size) + "]" : "") << ";\n";
     out << "\n    explicit " << model.id << "(const double* values)";
     const char* separator = " : ";
     for (const Parameter& p : model.parameters) {
-        out << separator << p.name << "(" << memberValue(p) << ")";
+        out << separator << p.name << "{" << memberValue(p) << "}";
         separator = ", ";
     }
     out << " {}\n\n#line 1 \"shaders/reflectance/" << model.id << ".glsl\"\n" << instantiated(model.code) << "};\n";

@@ -13,6 +13,12 @@ bool isWordLetter(char c)
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
+/// Whole numbers count and index; they are the same in every precision.
+bool isWhole(std::string_view literal)
+{
+    return literal.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 /// Length of the number literal at `at`, 0 if none starts there.
 std::size_t numberLength(std::string_view code, std::size_t at)
 {
@@ -54,7 +60,11 @@ std::string instantiated(std::string_view code)
         if (code.substr(i, 2) == "//") {
             i = std::min(code.find('\n', i), code.size());
         } else if (const std::size_t length = numberLength(code, i)) {
-            out.append("lit<T>(").append(code.substr(i, length)).append(")");
+            const std::string_view literal = code.substr(i, length);
+            if (isWhole(literal))
+                out += literal;
+            else
+                out.append("lit<T>(").append(literal).append(")");
             i += length;
         } else if (isWordLetter(code[i])) {
             std::size_t end = i;

@@ -1,6 +1,7 @@
 #include "app/cli/eval_rows.h"
 
 #include "core/base/text.h"
+#include "core/reflectance/lists.h"
 
 #include <algorithm>
 #include <array>
@@ -80,6 +81,8 @@ Result<std::vector<double>> parseParams(const Model& model, std::string_view tex
         if (const auto set = setParameter(model.text, assignment, values); !set)
             return bad(Params, set.error().message);
     }
+    if (const auto agree = checkLists(model.text, values); !agree)
+        return bad(Params, agree.error().message);
     return flatValues(model.text, values);
 }
 

@@ -19,7 +19,8 @@ struct Options {
 
 std::string kindName(ParameterKind kind)
 {
-    return kind == ParameterKind::Number ? "number" : kind == ParameterKind::Color ? "colour" : "3x3 matrix";
+    constexpr const char* names[] = {"number", "colour", "3x3 matrix", "choice", "list"}; // as ParameterKind
+    return names[static_cast<std::size_t>(kind)];
 }
 
 std::string numbersText(const std::vector<double>& numbers)

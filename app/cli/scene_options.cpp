@@ -1,6 +1,7 @@
 #include "app/cli/scene_options.h"
 
 #include "core/base/text.h"
+#include "core/reflectance/lists.h"
 #include "core/scene/scene_file.h"
 
 #include <cmath>
@@ -148,6 +149,8 @@ Result<void> setSurface(const SceneOptions& options, Surface& surface)
     for (const std::string& assignment : options.assignments)
         if (const auto set = setParameter(model.text, assignment, surface.values); !set)
             return Error{"--set " + assignment + ": " + set.error().message};
+    if (const auto agree = checkLists(model.text, surface.values); !agree)
+        return Error{"--set: " + agree.error().message};
     return {};
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/embedded.h"
 #include "core/base/text.h"
 #include "core/reflectance/kernel_tables.h"
+#include "core/reflectance/lists.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +36,43 @@ std::string rangeOf(const Parameter& p)
     return shortest(p.legalMin) + " .. " + shortest(p.legalMax);
 }
 
-std::string countsAllowed(ParameterKind kind)
+std::vector<std::size_t> countsAllowed(const Parameter& parameter)
 {
-    return kind == ParameterKind::Number ? "1 number" : kind == ParameterKind::Color ? "1 or 3 numbers" : "1, 3 or 9 numbers";
+    std::vector<std::size_t> counts;
+    for (const ListForm& form : parameter.forms)
+        counts.push_back(form.names.size());
+    if (parameter.kind == ParameterKind::Matrix)
+        counts = {1, 3, 9};
+    else if (parameter.kind == ParameterKind::Color)
+        counts = {1, 3};
+    else if (parameter.kind != ParameterKind::List)
+        counts = {1};
+    return counts;
+}
+
+/// "1 number", "1, 3 or 9 numbers"
+std::string inWords(const std::vector<std::size_t>& counts)
+{
+    std::vector<std::string> texts;
+    for (const std::size_t count : counts)
+        texts.push_back(std::to_string(count));
+    const std::string last = texts.back();
+    texts.pop_back();
+    return (texts.empty() ? last : joined(texts) + " or " + last) + (counts.back() == 1 ? " number" : " numbers");
+}
+
+std::string choicesOf(const Parameter& parameter)
+{
+    std::vector<std::string> texts;
+    for (const double choice : parameter.choices)
+        texts.push_back(shortest(choice));
+    return joined(texts, " or ");
 }
 
 /// One number for a colour is grey; one or three numbers for a matrix are its diagonal.
 std::vector<double> spread(const Parameter& parameter, std::span<const double> numbers)
 {
-    const std::size_t size = sizeOf(parameter.kind);
-    if (numbers.size() == size)
+    if (numbers.size() == parameter.size || parameter.kind == ParameterKind::List)
         return {numbers.begin(), numbers.end()};
     if (parameter.kind == ParameterKind::Color)
         return std::vector<double>(3, numbers[0]);
@@ -79,19 +107,27 @@ std::vector<double> flatValues(const ModelText& model, const ParameterValues& va
     flat.reserve(model.valueCount());
     for (const Parameter& parameter : model.parameters) {
         const auto found = values.find(parameter.name);
-        const bool fits = found != values.end() && found->second.size() == parameter.initial.size();
-        const std::vector<double>& numbers = fits ? found->second : parameter.initial;
+        const ListForm* form = parameter.kind == ParameterKind::List ? formOf(model, parameter, values) : nullptr;
+        const std::size_t count = form ? form->names.size() : parameter.initial.size();
+        const bool fits = found != values.end() && found->second.size() == count;
+        const std::vector<double> otherwise = form ? inForm(parameter, parameter.initial, *form) : parameter.initial;
+        const std::vector<double>& numbers = fits ? found->second : otherwise;
         flat.insert(flat.end(), numbers.begin(), numbers.end());
+        flat.resize(parameter.offset + parameter.size, 0.0);
     }
     return flat;
 }
 
 Result<std::vector<double>> checkedValue(const Parameter& parameter, std::span<const double> numbers)
 {
-    const bool diagonal = parameter.kind == ParameterKind::Matrix && numbers.size() == 3;
-    if (numbers.size() != 1 && numbers.size() != sizeOf(parameter.kind) && !diagonal)
-        return Error{"parameter " + parameter.name + " takes " + countsAllowed(parameter.kind) + ", not " +
+    const auto counts = countsAllowed(parameter);
+    if (std::find(counts.begin(), counts.end(), numbers.size()) == counts.end())
+        return Error{"parameter " + parameter.name + " takes " + inWords(counts) + ", not " +
                      std::to_string(numbers.size())};
+    const auto& choices = parameter.choices;
+    if (!choices.empty() && std::find(choices.begin(), choices.end(), numbers[0]) == choices.end())
+        return Error{"parameter " + parameter.name + " = " + shortest(numbers[0]) + " is not among its choices; give " +
+                     choicesOf(parameter)};
     for (const double number : numbers)
         if (!std::isfinite(number) || number < parameter.legalMin || number > parameter.legalMax)
             return Error{"parameter " + parameter.name + " = " + shortest(number) + " is out of range; give a value in " +

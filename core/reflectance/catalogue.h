@@ -29,10 +29,11 @@ struct Model {
 /// Parameter values by name. They outlive a change of model: names that two models share keep their value.
 using ParameterValues = std::map<std::string, std::vector<double>, std::less<>>;
 
-/// The model's flat list of values: from `values` where named there, else the defaults.
+/// The model's flat list of values: from `values` where named there, else the defaults. A list is filled up with 0; one
+/// that does not hold what its choice asks for (see checkLists) counts as not named.
 [[nodiscard]] std::vector<double> flatValues(const ModelText& model, const ParameterValues& values);
 
-/// Checks count and legal range and spreads one number over a colour, one over the diagonal of a matrix, three over its
+/// Checks count, choices and legal range and spreads one number over a colour, one over the diagonal of a matrix, three over its
 /// diagonal. The error names the parameter, the value and the range.
 [[nodiscard]] Result<std::vector<double>> checkedValue(const Parameter& parameter, std::span<const double> numbers);
 

@@ -59,6 +59,9 @@ public:
         if (model_.code.find("vec3 shade(") == std::string::npos)
             return Error{"the text defines no vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I)",
                          "shaders/reflectance/" + model_.id + ".glsl", line_};
+        for (const Parameter& parameter : model_.parameters)
+            if (!isComplete(parameter))
+                return Error{problem_, "shaders/reflectance/" + model_.id + ".glsl", line_};
         return std::move(model_);
     }
 
@@ -130,15 +133,9 @@ private:
         const auto head = words(std::string_view(declaration_).substr(0, equals));
         if (equals == std::string::npos || head.size() != 3)
             return failed("expected: uniform TYPE NAME = DEFAULT;");
-        if (head[1] == "float")
-            parameter.kind = ParameterKind::Number;
-        else if (head[1] == "vec3")
-            parameter.kind = ParameterKind::Color;
-        else if (head[1] == "mat3")
-            parameter.kind = ParameterKind::Matrix;
-        else
-            return failed("a parameter is a float, a vec3 or a mat3");
         parameter.name = head[2];
+        if (!readType(head[1], parameter))
+            return false;
         parameter.label = parameter.symbol = parameter.name;
         parameter.offset = model_.valueCount();
         if (!readDefault(std::string_view(declaration_).substr(equals + 1), parameter))
@@ -148,7 +145,35 @@ private:
         return true;
     }
 
-    /// "0.5;", "vec3(0.04);" or "transpose(mat3(nine numbers, row by row));"
+    /// Kind and size; takes the brackets of "coefficients[55]" off the name.
+    bool readType(std::string_view type, Parameter& parameter)
+    {
+        const std::size_t bracket = parameter.name.find('[');
+        if (type == "float" && bracket != std::string::npos) {
+            const auto size = parseInteger(split(std::string_view(parameter.name).substr(bracket + 1), ']')[0]);
+            if (!size || *size < 1)
+                return failed("expected: uniform float NAME[COUNT] = float[](NUMBERS);");
+            parameter.kind = ParameterKind::List;
+            parameter.size = static_cast<std::size_t>(*size);
+            parameter.name.resize(bracket);
+            return true;
+        }
+        struct Type {
+            std::string_view name;
+            ParameterKind kind;
+            std::size_t size;
+        };
+        for (const Type& known : {Type{"float", ParameterKind::Number, 1}, Type{"vec3", ParameterKind::Color, 3},
+                                  Type{"mat3", ParameterKind::Matrix, 9}, Type{"int", ParameterKind::Choice, 1}})
+            if (known.name == type) {
+                parameter.kind = known.kind;
+                parameter.size = known.size;
+                return true;
+            }
+        return failed("a parameter is a float, a vec3, a mat3, an int or a float[]");
+    }
+
+    /// "0.5;", "vec3(0.04);" or "transpose(mat3(nine numbers, row by row));", "float[](0.5, 0.25);"
     bool readDefault(std::string_view value, Parameter& parameter)
     {
         if (parameter.kind == ParameterKind::Matrix && value.find("transpose(mat3(") == std::string_view::npos)
@@ -163,9 +188,30 @@ private:
                 return failed("default is not a number: " + std::string(trimmed(piece)));
             parameter.initial.push_back(*number);
         }
+        if (parameter.kind == ParameterKind::List)
+            return parameter.initial.size() <= parameter.size || failed("more numbers in the default than fit");
         if (parameter.initial.size() == 1)
-            parameter.initial.resize(sizeOf(parameter.kind), parameter.initial.front());
-        return parameter.initial.size() == sizeOf(parameter.kind) || failed("wrong count of numbers in the default");
+            parameter.initial.resize(parameter.size, parameter.initial.front());
+        return parameter.initial.size() == parameter.size || failed("wrong count of numbers in the default");
+    }
+
+    /// A choice has choices, the default among them; a list has a form for each choice, and its default is that of the
+    /// default choice.
+    bool isComplete(const Parameter& parameter)
+    {
+        if (parameter.kind == ParameterKind::Choice) {
+            const bool known = std::find(parameter.choices.begin(), parameter.choices.end(), parameter.initial[0]) !=
+                               parameter.choices.end();
+            return known || failed("the default of " + parameter.name + " is not among its choices");
+        }
+        if (parameter.kind != ParameterKind::List)
+            return true;
+        const Parameter* choice = model_.find(parameter.chosenBy);
+        if (!choice || parameter.forms.size() != choice->choices.size())
+            return failed("the list " + parameter.name + " needs one line '//: names CHOICE=VALUE ...' for each choice");
+        const ListForm* form = parameter.formFor(choice->initial[0]);
+        return (form && form->names.size() == parameter.initial.size()) ||
+               failed("the default of " + parameter.name + " does not hold what the default " + choice->name + " asks for");
     }
 
     bool readParameterKey(std::string_view line)
@@ -190,6 +236,10 @@ private:
             return readLegal(value, parameter);
         else if (key == "like")
             return describeLike(value, parameter);
+        else if (key == "choices")
+            return readChoices(value, parameter);
+        else if (key == "names")
+            return readNames(value, parameter);
         else
             return failed("unknown key //: " + std::string(key));
         return true;
@@ -216,6 +266,40 @@ private:
         parameter.legalMin = range->low;
         parameter.legalMax = range->high;
         return true;
+    }
+
+    /// "2 8"
+    bool readChoices(std::string_view value, Parameter& parameter)
+    {
+        for (const std::string_view word : words(value)) {
+            const auto number = parseInteger(word);
+            if (!number || parameter.kind != ParameterKind::Choice)
+                return failed("expected: choices WHOLE WHOLE ... below an int");
+            parameter.choices.push_back(static_cast<double>(*number));
+        }
+        if (parameter.choices.empty() || !std::is_sorted(parameter.choices.begin(), parameter.choices.end()))
+            return failed("expected: choices in ascending order");
+        parameter.sliderMin = parameter.legalMin = parameter.choices.front();
+        parameter.sliderMax = parameter.legalMax = parameter.choices.back();
+        return true;
+    }
+
+    /// "order=2 l0_n0_m0 l0_n2_m0": the numbers that the list holds for a choice. Further lines go on with the same choice.
+    bool readNames(std::string_view value, Parameter& parameter)
+    {
+        auto names = words(value);
+        const std::size_t equals = names.empty() ? std::string_view::npos : names[0].find('=');
+        const auto choice =
+            equals == std::string_view::npos ? std::nullopt : parseInteger(names[0].substr(equals + 1));
+        if (!choice || parameter.kind != ParameterKind::List || !model_.find(names[0].substr(0, equals)))
+            return failed("expected: names CHOICE=VALUE NAME NAME ... below a float[], the choice standing above");
+        parameter.chosenBy = names[0].substr(0, equals);
+        const auto number = static_cast<double>(*choice);
+        if (parameter.forms.empty() || parameter.forms.back().choice != number)
+            parameter.forms.push_back({number, {}});
+        auto& all = parameter.forms.back().names;
+        all.insert(all.end(), names.begin() + 1, names.end());
+        return all.size() <= parameter.size || failed("more names than the list can hold");
     }
 
     bool describeLike(std::string_view id, Parameter& parameter)
@@ -254,6 +338,12 @@ private:
 
 } // namespace
 
+const ListForm* Parameter::formFor(double choice) const
+{
+    const auto found = std::find_if(forms.begin(), forms.end(), [choice](const ListForm& f) { return f.choice == choice; });
+    return found == forms.end() ? nullptr : &*found;
+}
+
 const Parameter* ModelText::find(std::string_view parameterName) const
 {
     const auto named = [parameterName](const Parameter& p) { return p.name == parameterName; };
@@ -263,7 +353,7 @@ const Parameter* ModelText::find(std::string_view parameterName) const
 
 std::size_t ModelText::valueCount() const
 {
-    return parameters.empty() ? 0 : parameters.back().offset + sizeOf(parameters.back().kind);
+    return parameters.empty() ? 0 : parameters.back().offset + parameters.back().size;
 }
 
 Result<ModelText> parseModelText(std::string_view id, std::string_view text, const std::vector<ModelText>& earlier)

@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/geometry/load.h"
+#include "core/reflectance/lists.h"
 #include "core/scene/json_reader.h"
 
 #include <algorithm>
@@ -165,6 +166,9 @@ void readSurface(ObjectReader object, Surface& surface)
         }
         object.fail("no model has a parameter '" + name + "'");
     });
+    for (const Model& other : catalogue())
+        if (const auto agree = checkLists(other.text, surface.values); !agree)
+            object.fail(agree.error().message);
     object.finish();
 }
 

@@ -133,9 +133,9 @@ std::string brokenPromise(const ModelText& text)
         return "a model that shades nothing";
     std::size_t offset = 0;
     for (const Parameter& parameter : text.parameters) {
-        if (parameter.offset != offset || parameter.initial.size() != sizeOf(parameter.kind))
+        if (parameter.offset != offset || parameter.initial.size() > parameter.size)
             return "a parameter whose values are not where they should be";
-        offset += sizeOf(parameter.kind);
+        offset += parameter.size;
     }
     return {};
 }

@@ -86,9 +86,14 @@ void GlProgram::set(const char* name, const Vec3d& value) const
     program_.gl().Uniform3f(location(name), v.x, v.y, v.z);
 }
 
-void GlProgram::setRows(const char* name, const std::array<float, 9>& rows) const
+void GlProgram::set(const char* name, std::span<const float> value) const
 {
-    program_.gl().UniformMatrix3fv(location(name), 1, GL_TRUE, rows.data());
+    program_.gl().Uniform1fv(location(name), static_cast<GLsizei>(value.size()), value.data());
+}
+
+void GlProgram::setRows(const char* name, const float* nine) const
+{
+    program_.gl().UniformMatrix3fv(location(name), 1, GL_TRUE, nine);
 }
 
 void GlProgram::setColumns(const char* name, const float* sixteen) const

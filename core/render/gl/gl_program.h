@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 
 namespace reflectance {
@@ -22,9 +23,10 @@ public:
     void set(const char* name, int value) const;
     void set(const char* name, float value) const;
     void set(const char* name, const std::array<float, 2>& value) const;
-    void set(const char* name, const Vec3d& value) const;                   ///< rounded once
-    void setRows(const char* name, const std::array<float, 9>& rows) const; ///< mat3, row by row
-    void setColumns(const char* name, const float* sixteen) const;          ///< mat4, column by column
+    void set(const char* name, const Vec3d& value) const;           ///< rounded once
+    void set(const char* name, std::span<const float> value) const; ///< float[]
+    void setRows(const char* name, const float* nine) const;        ///< mat3, row by row
+    void setColumns(const char* name, const float* sixteen) const;  ///< mat4, column by column
 
 private:
     explicit GlProgram(GlProgramObject program) : program_(std::move(program)) {}

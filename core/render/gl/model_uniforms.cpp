@@ -2,7 +2,7 @@
 
 #include "core/base/check.h"
 
-#include <algorithm>
+#include <vector>
 
 namespace reflectance {
 
@@ -10,16 +10,25 @@ void uploadParameters(const GlProgram& program, const ModelText& model, std::spa
 {
     CHECK_EQ(values.size(), model.valueCount());
     for (const Parameter& parameter : model.parameters) {
-        const double* first = values.data() + parameter.offset;
+        const auto numbers = values.subspan(parameter.offset, parameter.size);
+        const std::vector<float> rounded(numbers.begin(), numbers.end());
         const char* name = parameter.name.c_str();
-        if (parameter.kind == ParameterKind::Number) {
-            program.set(name, static_cast<float>(*first));
-        } else if (parameter.kind == ParameterKind::Color) {
-            program.set(name, Vec3d(first[0], first[1], first[2]));
-        } else {
-            std::array<float, 9> rows{};
-            std::transform(first, first + 9, rows.begin(), [](double v) { return static_cast<float>(v); });
-            program.setRows(name, rows);
+        switch (parameter.kind) {
+        case ParameterKind::Number:
+            program.set(name, rounded[0]);
+            break;
+        case ParameterKind::Color:
+            program.set(name, Vec3d(numbers[0], numbers[1], numbers[2]));
+            break;
+        case ParameterKind::Matrix:
+            program.setRows(name, rounded.data());
+            break;
+        case ParameterKind::Choice:
+            program.set(name, static_cast<int>(numbers[0]));
+            break;
+        case ParameterKind::List:
+            program.set(name, rounded);
+            break;
         }
     }
 }

@@ -11,7 +11,8 @@ namespace {
 
 const char* typeOf(ParameterKind kind)
 {
-    return kind == ParameterKind::Number ? "float" : kind == ParameterKind::Color ? "vec3" : "mat3";
+    constexpr const char* types[] = {"float", "vec3", "mat3", "int", "float"}; // in the order of ParameterKind
+    return types[static_cast<std::size_t>(kind)];
 }
 
 /// Takes a whole number off the front of `text`.
@@ -55,7 +56,8 @@ ShaderPiece parameterDeclarations(const ModelText& model)
 {
     ShaderPiece piece{"parameters of " + model.id, {}};
     for (const Parameter& parameter : model.parameters)
-        piece.text += std::string("uniform ") + typeOf(parameter.kind) + " " + parameter.name + ";\n";
+        piece.text += std::string("uniform ") + typeOf(parameter.kind) + " " + parameter.name +
+                      (parameter.kind == ParameterKind::List ? "[" + std::to_string(parameter.size) + "]" : "") + ";\n";
     return piece;
 }
 

@@ -19,7 +19,7 @@ template <class T> Vec3<T> textbookNormalized(const Vec3d& v)
 std::span<const double> numbersOf(const Model& model, std::span<const double> values, std::string_view name)
 {
     const Parameter* parameter = model.text.find(name);
-    return parameter ? values.subspan(parameter->offset, sizeOf(parameter->kind)) : std::span<const double>();
+    return parameter ? values.subspan(parameter->offset, parameter->size) : std::span<const double>();
 }
 
 /// kd I or K I; 0 for a model without either.

@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/reflectance/evaluate.h"
+#include "core/reflectance/lists.h"
 
 #include <algorithm>
 #include <limits>
@@ -46,11 +47,14 @@ double smallestOf(const Vec3d& v)
 
 std::string valuesText(const ModelText& model, std::span<const double> values)
 {
+    if (values.size() != model.valueCount())
+        return {};
+    const ParameterValues byName = valuesByName(model, values);
     std::vector<std::string> texts;
     for (const Parameter& p : model.parameters) {
         std::vector<std::string> numbers;
-        for (std::size_t i = 0; i < sizeOf(p.kind) && p.offset + i < values.size(); ++i)
-            numbers.push_back(general(values[p.offset + i], 4));
+        for (const double number : byName.find(p.name)->second)
+            numbers.push_back(general(number, 4));
         texts.push_back(p.name + "=" + joined(numbers, " "));
     }
     return joined(texts, ";");

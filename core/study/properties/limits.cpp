@@ -1,5 +1,6 @@
 // What a model turns into: `//! becomes MODEL where NAME=VALUE` in its text, held to the last bits.
 #include "core/base/text.h"
+#include "core/reflectance/lists.h"
 #include "core/study/properties/measures.h"
 
 #include <limits>
@@ -26,15 +27,11 @@ Result<std::vector<double>> valuesAtLimit(const ModelText& model, const std::vec
                                           const ModelText& other, const std::vector<double>& target,
                                           const std::string& where)
 {
-    ParameterValues named;
-    for (const Parameter& p : model.parameters)
-        named[p.name].assign(&values[p.offset], &values[p.offset] + sizeOf(p.kind));
-    ParameterValues ofOther;
-    for (const Parameter& p : other.parameters) {
-        ofOther[p.name].assign(&target[p.offset], &target[p.offset] + sizeOf(p.kind));
-        if (model.find(p.name))
-            named[p.name] = ofOther[p.name];
-    }
+    ParameterValues named = valuesByName(model, values);
+    const ParameterValues ofOther = valuesByName(other, target);
+    for (const auto& [name, numbers] : ofOther)
+        if (model.find(name))
+            named[name] = numbers;
     for (const std::string_view assignment : split(where, ';')) {
         const auto set = setParameter(model, withNumbers(assignment, ofOther), named);
         if (!set)

@@ -1,6 +1,7 @@
 #include "core/study/properties/samples.h"
 
 #include "core/math/lobe.h"
+#include "core/reflectance/lists.h"
 #include "core/study/properties/basis.h"
 
 #include <algorithm>
@@ -31,6 +32,13 @@ double onSlider(const Parameter& p, double share)
 
 using Numbers = std::vector<double>;
 
+Numbers timesDefault(const Parameter& p, double factor)
+{
+    Numbers numbers = p.initial;
+    std::transform(numbers.begin(), numbers.end(), numbers.begin(), [factor](double v) { return factor * v; });
+    return numbers;
+}
+
 /// Landmarks of one parameter; the first is its low end, the last its high end.
 std::vector<Numbers> landmarks(const Parameter& p)
 {
@@ -38,9 +46,17 @@ std::vector<Numbers> landmarks(const Parameter& p)
         const double third = 1.0 / 3.0;
         return {Numbers(9, 0.0), Numbers(9, third), {0, 1, 0, 0, 0, 1, 1, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
     }
+    if (p.kind == ParameterKind::Choice) {
+        std::vector<Numbers> found;
+        for (const double choice : p.choices)
+            found.push_back({choice});
+        return found;
+    }
+    if (p.kind == ParameterKind::List)
+        return {timesDefault(p, 0.0), p.initial, timesDefault(p, 2.0)};
     std::vector<Numbers> found;
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
-        found.emplace_back(sizeOf(p.kind), onSlider(p, share));
+        found.emplace_back(p.size, onSlider(p, share));
     if (p.kind == ParameterKind::Color)
         found.insert(found.begin() + 1, {p.sliderMax, p.sliderMin, onSlider(p, 0.5)});
     return found;
@@ -48,8 +64,12 @@ std::vector<Numbers> landmarks(const Parameter& p)
 
 Numbers interiorPoint(const Parameter& p, std::size_t i)
 {
+    if (p.kind == ParameterKind::Choice)
+        return {p.choices[i % p.choices.size()]};
+    if (p.kind == ParameterKind::List)
+        return timesDefault(p, 2.0 * spreadOut(i, p.offset));
     Numbers numbers;
-    for (std::size_t k = 0; k < sizeOf(p.kind); ++k)
+    for (std::size_t k = 0; k < p.size; ++k)
         numbers.push_back(spreadOut(i, p.offset + k));
     if (p.kind != ParameterKind::Matrix) {
         std::transform(numbers.begin(), numbers.end(), numbers.begin(), [&](double u) { return onSlider(p, u); });
@@ -71,9 +91,20 @@ void put(const Parameter& p, const Numbers& numbers, Numbers& flat)
 
 Numbers defaults(const ModelText& model)
 {
-    Numbers flat(model.valueCount());
-    for (const Parameter& p : model.parameters)
-        put(p, p.initial, flat);
+    return flatValues(model, {});
+}
+
+/// Lists were put in the form of the default choice; here they take that of the choice beside them.
+Numbers withListsInForm(const ModelText& model, Numbers flat)
+{
+    for (const Parameter& p : model.parameters) {
+        if (p.kind != ParameterKind::List)
+            continue;
+        const auto first = flat.begin() + static_cast<std::ptrdiff_t>(p.offset);
+        const Numbers numbers(first, first + static_cast<std::ptrdiff_t>(p.initial.size()));
+        std::fill(first, first + static_cast<std::ptrdiff_t>(p.size), 0.0);
+        put(p, inForm(p, numbers, *p.formFor(flat[model.find(p.chosenBy)->offset])), flat);
+    }
     return flat;
 }
 
@@ -124,6 +155,8 @@ std::vector<Numbers> parameterSamples(const ModelText& model, std::size_t interi
         for (const Parameter& p : model.parameters)
             put(p, interiorPoint(p, i), samples.back());
     }
+    for (Numbers& flat : samples)
+        flat = withListsInForm(model, std::move(flat));
     return samples;
 }
 
@@ -134,7 +167,7 @@ std::vector<Numbers> legalEnds(const ModelText& model)
         for (const double end : {p.legalMin, p.legalMax})
             if (std::isfinite(end) && (end < p.sliderMin || end > p.sliderMax)) {
                 samples.push_back(defaults(model));
-                put(p, Numbers(sizeOf(p.kind), end), samples.back());
+                put(p, Numbers(p.size, end), samples.back());
             }
     return samples;
 }
