@@ -13,6 +13,7 @@ const Formula& formulaOf(const std::string& model)
     static const Formulas all = [] {
         Formulas formulas = smoothFormulas();
         formulas.merge(roughFormulas());
+        formulas.merge(scatteringFormulas());
         return formulas;
     }();
     return all.at(model);

@@ -25,6 +25,7 @@ using Formulas = std::map<std::string, Formula>;
 /// One list per family of models.
 [[nodiscard]] Formulas smoothFormulas(); ///< Lambert, the mirror and the lecture's highlights
 [[nodiscard]] Formulas roughFormulas();  ///< matte with a profile: Oren-Nayar and its kin
+[[nodiscard]] Formulas scatteringFormulas(); ///< Koenderink's modes
 
 [[nodiscard]] const Real& pi();
 [[nodiscard]] Three three(const Inputs& inputs, std::size_t at);

@@ -83,6 +83,21 @@ void setDirections(Dice& dice, std::size_t row, OracleCase& c)
     c.V = dice.logUniform(1e-200, 1e200) * c.V;
 }
 
+/// Every fourth row has 55 coefficients, the others 5; in every eighth one mode stands alone, so that nothing hides its
+/// rounding.
+void setModes(Dice& dice, std::size_t row, OracleCase& c)
+{
+    const bool isFine = row % 4 == 1;
+    std::vector<double> coefficients(isFine ? 55 : 5);
+    for (double& coefficient : coefficients)
+        coefficient = dice.uniform(-1.0, 1.5);
+    const auto alone = static_cast<std::size_t>(dice.uniform(0.0, static_cast<double>(coefficients.size())));
+    for (std::size_t i = 0; row % 8 < 2 && i < coefficients.size(); ++i)
+        coefficients[i] *= i == alone ? 1.0 : 0.0;
+    c.parameters["order"] = {isFine ? 8.0 : 2.0};
+    c.parameters["coefficients"] = coefficients;
+}
+
 } // namespace
 
 Vec3d tilted(const Vec3d& v, double angle, double azimuth)
@@ -113,6 +128,7 @@ std::vector<OracleCase> randomCases(const std::string& model, std::size_t count)
                         {"K", K},
                         {"rho", {dice.uniform(0.0, 1.0), dice.uniform(0.0, 1.0), dice.uniform(0.0, 1.0)}},
                         {"sigma", {row % 20 == 0 ? 0.0 : dice.logUniform(1e-3, 1e3)}}};
+        setModes(dice, row, c);
     }
     return cases;
 }

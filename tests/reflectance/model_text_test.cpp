@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadText{"//! becomes lambert where ks\n", "bad.glsl:1: expected: becomes MODEL where"},
                     BadText{"//! becomes lambrt where ks=0\n", "no earlier model: lambrt"},
                     BadText{"uniform float a;\n", "bad.glsl:1: expected: uniform TYPE NAME = DEFAULT;"},
-                    BadText{"uniform int a = 1;\n", "a float, a vec3 or a mat3"},
+                    BadText{"uniform uint a = 1;\n", "a float, a vec3, a mat3, an int or a float[]"},
                     BadText{"uniform float a = x;\n", "default is not a number: x"},
                     BadText{"uniform vec3 a = vec3(1, 2);\n", "wrong count"},
                     BadText{"uniform mat3 K = mat3(1);\n", "row by row"},

@@ -1,5 +1,6 @@
 #include "app/explorer/ui/parameter_rows.h"
 
+#include "app/explorer/ui/list_rows.h"
 #include "app/explorer/ui/matrix_editor.h"
 #include "app/explorer/ui/widgets.h"
 
@@ -65,6 +66,10 @@ NumberRow rowOf(const Parameter& parameter, std::size_t i)
 
 void parameterRows(const ModelText& model, const Parameter& parameter, ExplorerState& state)
 {
+    if (parameter.kind == ParameterKind::Choice)
+        return choiceRows(model, parameter, state);
+    if (parameter.kind == ParameterKind::List)
+        return listRows(model, parameter, state);
     ParameterValues& kept = state.scene.surface.values;
     std::vector<double> values = currentValues(kept, parameter);
     bool changed = false;
