@@ -17,10 +17,16 @@ struct Options {
     std::string json;
 };
 
-std::string kindName(ParameterKind kind)
+/// "colour", "choice: 2 or 8", "list of 5 or 55"
+std::string kindName(const Parameter& p)
 {
-    constexpr const char* names[] = {"number", "colour", "3x3 matrix", "choice", "list"}; // as ParameterKind
-    return names[static_cast<std::size_t>(kind)];
+    std::vector<std::string> counts;
+    for (const double choice : p.choices)
+        counts.push_back(shortest(choice));
+    for (const ListForm& form : p.forms)
+        counts.push_back(std::to_string(form.names.size()));
+    constexpr const char* names[] = {"number", "colour", "3x3 matrix", "choice: ", "list of "}; // as ParameterKind
+    return names[static_cast<std::size_t>(p.kind)] + joined(counts, " or ");
 }
 
 std::string numbersText(const std::vector<double>& numbers)
@@ -50,7 +56,7 @@ nlohmann::ordered_json described(const Parameter& p)
 {
     return {{"name", p.name},
             {"label", p.label},
-            {"kind", kindName(p.kind)},
+            {"kind", kindName(p)},
             {"default", p.initial},
             {"slider", {p.sliderMin, p.sliderMax}},
             {"logarithmic", p.logarithmic},
@@ -96,7 +102,7 @@ void printText(const ModelText& model)
               << "\n    reciprocal: " << model.reciprocal.reason << "\n    passive: " << model.passive.reason
               << limitsText(model, "\n    becomes: ") << '\n';
     for (const Parameter& p : model.parameters)
-        std::cout << "    --set " << p.name << "=...  " << p.label << " (" << kindName(p.kind) << "), "
+        std::cout << "    --set " << p.name << "=...  " << p.label << " (" << kindName(p) << "), "
                   << rangeText(p.legalMin, p.legalMax) << ", default " << numbersText(p.initial) << '\n';
     std::cout << '\n';
 }
@@ -111,7 +117,7 @@ void printMarkdown(const ModelText& model)
               << "\n\n| parameter | meaning | kind | default | slider | legal | unit | source |\n"
                  "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const Parameter& p : model.parameters)
-        std::cout << "| `" << p.name << "` | " << p.label << ". " << p.tooltip << " | " << kindName(p.kind) << " | "
+        std::cout << "| `" << p.name << "` | " << p.label << ". " << p.tooltip << " | " << kindName(p) << " | "
                   << numbersText(p.initial) << " | " << rangeText(p.sliderMin, p.sliderMax)
                   << (p.logarithmic ? ", logarithmic" : "") << " | " << rangeText(p.legalMin, p.legalMax) << " | "
                   << (p.unit.empty() ? "1" : p.unit) << " | " << p.source << " |\n";

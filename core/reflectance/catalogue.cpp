@@ -98,7 +98,8 @@ Result<const Model*> findModel(std::string_view id)
             return &model;
         ids.push_back(model.id());
     }
-    return Error{"unknown model '" + std::string(id) + "'; did you mean '" + nearestName(id, ids) + "'? Models: " + joined(ids)};
+    return Error{"unknown model '" + std::string(id) + "'; did you mean '" + nearestName(id, ids) +
+                 "'? Models: " + joined(ids)};
 }
 
 std::vector<double> flatValues(const ModelText& model, const ParameterValues& values)
@@ -130,8 +131,8 @@ Result<std::vector<double>> checkedValue(const Parameter& parameter, std::span<c
                      choicesOf(parameter)};
     for (const double number : numbers)
         if (!std::isfinite(number) || number < parameter.legalMin || number > parameter.legalMax)
-            return Error{"parameter " + parameter.name + " = " + shortest(number) + " is out of range; give a value in " +
-                         rangeOf(parameter)};
+            return Error{"parameter " + parameter.name + " = " + shortest(number) +
+                         " is out of range; give a value in " + rangeOf(parameter)};
     return spread(parameter, numbers);
 }
 

@@ -40,10 +40,7 @@ DeclaredProperty parseProperty(std::string_view value)
 
 class ModelTextParser {
 public:
-    ModelTextParser(std::string_view id, const std::vector<ModelText>& earlier) : earlier_(earlier)
-    {
-        model_.id = id;
-    }
+    ModelTextParser(std::string_view id, const std::vector<ModelText>& earlier) : earlier_(earlier) { model_.id = id; }
 
     Result<ModelText> parse(std::string_view text)
     {
@@ -208,10 +205,12 @@ private:
             return true;
         const Parameter* choice = model_.find(parameter.chosenBy);
         if (!choice || parameter.forms.size() != choice->choices.size())
-            return failed("the list " + parameter.name + " needs one line '//: names CHOICE=VALUE ...' for each choice");
+            return failed("the list " + parameter.name +
+                          " needs one line '//: names CHOICE=VALUE ...' for each choice");
         const ListForm* form = parameter.formFor(choice->initial[0]);
         return (form && form->names.size() == parameter.initial.size()) ||
-               failed("the default of " + parameter.name + " does not hold what the default " + choice->name + " asks for");
+               failed("the default of " + parameter.name + " does not hold what the default " + choice->name +
+                      " asks for");
     }
 
     bool readParameterKey(std::string_view line)
@@ -289,8 +288,7 @@ private:
     {
         auto names = words(value);
         const std::size_t equals = names.empty() ? std::string_view::npos : names[0].find('=');
-        const auto choice =
-            equals == std::string_view::npos ? std::nullopt : parseInteger(names[0].substr(equals + 1));
+        const auto choice = equals == std::string_view::npos ? std::nullopt : parseInteger(names[0].substr(equals + 1));
         if (!choice || parameter.kind != ParameterKind::List || !model_.find(names[0].substr(0, equals)))
             return failed("expected: names CHOICE=VALUE NAME NAME ... below a float[], the choice standing above");
         parameter.chosenBy = names[0].substr(0, equals);
@@ -340,7 +338,8 @@ private:
 
 const ListForm* Parameter::formFor(double choice) const
 {
-    const auto found = std::find_if(forms.begin(), forms.end(), [choice](const ListForm& f) { return f.choice == choice; });
+    const auto found =
+        std::find_if(forms.begin(), forms.end(), [choice](const ListForm& f) { return f.choice == choice; });
     return found == forms.end() ? nullptr : &*found;
 }
 

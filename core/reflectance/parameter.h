@@ -26,16 +26,17 @@ struct Parameter {
     std::string tooltip; ///< one sentence
     std::string source;  ///< where it was defined or measured
     ParameterKind kind = ParameterKind::Number;
-    std::size_t size = 1;        ///< numbers in the flat list of values; of a list the most that it can hold
-    std::vector<double> initial; ///< default: `size` numbers, matrices row by row; of a list as many as the default choice asks for
+    std::size_t size = 1; ///< numbers in the flat list of values; of a list the most that it can hold
+    std::vector<double>
+        initial; ///< default: `size` numbers, matrices row by row; of a list as many as the default choice asks for
     double sliderMin = 0.0, sliderMax = 1.0;
     bool logarithmic = false; ///< the slider's scale
     double legalMin = -std::numeric_limits<double>::infinity();
     double legalMax = std::numeric_limits<double>::infinity();
-    std::size_t offset = 0; ///< of its first number in the model's flat list of values
-    std::vector<double> choices;  ///< of a Choice, ascending
-    std::string chosenBy;         ///< of a List: the Choice that says how many numbers count
-    std::vector<ListForm> forms;  ///< of a List: one per choice
+    std::size_t offset = 0;      ///< of its first number in the model's flat list of values
+    std::vector<double> choices; ///< of a Choice, ascending
+    std::string chosenBy;        ///< of a List: the Choice that says how many numbers count
+    std::vector<ListForm> forms; ///< of a List: one per choice
 
     [[nodiscard]] const ListForm* formFor(double choice) const; ///< null: no such choice
 };

@@ -139,7 +139,8 @@ TEST(Koenderink, IsReciprocalModeByMode)
     for (std::size_t i = 0; i < 55; ++i) {
         const OracleCase there{"koenderink", mode(i, 8), up, L, V};
         const OracleCase back{"koenderink", mode(i, 8), up, V, L};
-        EXPECT_NEAR(evaluated(there, Precision::Double).x * V.z, evaluated(back, Precision::Double).x * L.z, 1e-15) << i;
+        EXPECT_NEAR(evaluated(there, Precision::Double).x * V.z, evaluated(back, Precision::Double).x * L.z, 1e-15)
+            << i;
     }
 }
 

@@ -102,7 +102,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadList{"uniform float a[2] = float[](1.0);\n", "needs one line"},
                     BadList{std::string(head) + "//: names order=1 x y\n", "for each choice"},
                     BadList{std::string(head) + "//: names n=1 x y\n", "the choice standing above"},
-                    BadList{std::string(head) + "//: names order=1 x\n//: names order=3 x y z w\n", "does not hold what"},
+                    BadList{std::string(head) + "//: names order=1 x\n//: names order=3 x y z w\n",
+                            "does not hold what"},
                     BadList{std::string(head) + "//: names order=1 x y z w v\n", "more names than"}));
 
 } // namespace
