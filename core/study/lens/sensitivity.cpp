@@ -1,5 +1,6 @@
 #include "core/study/lens/sensitivity.h"
 
+#include "core/reflectance/lists.h"
 #include "core/render/cpu/cpu_renderer.h"
 #include "core/study/lens/thinned.h"
 
@@ -112,10 +113,12 @@ void moveLights(const ViewSamples& samples, const Scene& scene, Sensitivity& fou
 
 void moveParameters(const ViewSamples& samples, const Scene& scene, Sensitivity& found)
 {
-    const std::vector<double> values = valuesOf(scene);
-    for (const Parameter& parameter : modelOf(scene).text.parameters) {
-        const auto first = values.begin() + static_cast<std::ptrdiff_t>(parameter.offset);
-        const std::vector<double> numbers(first, first + static_cast<std::ptrdiff_t>(sizeOf(parameter.kind)));
+    const ModelText& model = modelOf(scene).text;
+    const ParameterValues values = valuesByName(model, valuesOf(scene));
+    for (const Parameter& parameter : model.parameters) {
+        if (parameter.kind == ParameterKind::Choice) // it knows no in-between
+            continue;
+        const std::vector<double>& numbers = values.at(parameter.name);
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             if (numbers[i] == 0.0)
                 continue;

@@ -39,7 +39,7 @@ double shareWithout(const Lit& lit, const Parameter& parameter)
 {
     std::vector<double> without = lit.values;
     const auto first = without.begin() + static_cast<std::ptrdiff_t>(parameter.offset);
-    std::fill_n(first, sizeOf(parameter.kind), 0.0);
+    std::fill_n(first, parameter.size, 0.0);
     const Vec3d value = valueOf(lit, lit.values);
     return sizeOf(value) > 0.0 ? std::min(1.0, sizeOf(value - valueOf(lit, without)) / sizeOf(value)) : 0.0;
 }
