@@ -66,6 +66,7 @@ int run(int argc, char** argv)
     addCompare(program, exitCode);
     addExtremes(program, exitCode);
     addCheck(program, exitCode);
+    addMatrix(program, exitCode);
     addTable(program, exitCode);
     try {
         program.parse(argc, argv);

@@ -21,6 +21,7 @@ void addInspect(CLI::App& program, int& exitCode);
 void addCompare(CLI::App& program, int& exitCode);
 void addExtremes(CLI::App& program, int& exitCode);
 void addCheck(CLI::App& program, int& exitCode);
+void addMatrix(CLI::App& program, int& exitCode);
 void addTable(CLI::App& program, int& exitCode);
 
 } // namespace reflectance::cli
