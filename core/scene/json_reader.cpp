@@ -99,6 +99,18 @@ void ObjectReader::read(const char* key, Vec3d& value, double low)
     value = {numbers[0], numbers[1], numbers[2]};
 }
 
+void ObjectReader::read(const char* key, std::array<double, 9>& matrix)
+{
+    const Json* json = find(key);
+    if (!json)
+        return;
+    const std::vector<double> numbers = numbersOf(*json);
+    constexpr double most = std::numeric_limits<double>::max();
+    if (numbers.size() != matrix.size() || !allWithin(numbers, -most, most))
+        return fail(nameOf(key) + " must be nine finite numbers, row by row");
+    std::copy(numbers.begin(), numbers.end(), matrix.begin());
+}
+
 void ObjectReader::eachNumberList(const char* key,
                                   const std::function<void(const std::string&, const std::vector<double>&)>& take)
 {

@@ -4,6 +4,7 @@
 
 #include "core/math/vec.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -35,6 +36,7 @@ public:
     void read(const char* key, bool& value);
     void read(const char* key, std::string& value);
     void read(const char* key, Vec3d& value, double low = -inf);
+    void read(const char* key, std::array<double, 9>& matrix);
     void eachNumberList(const char* key,
                         const std::function<void(const std::string&, const std::vector<double>&)>& take);
     void readObject(const char* key, const std::function<void(ObjectReader)>& take);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
+#include <span>
 
 namespace reflectance {
 
@@ -32,6 +33,16 @@ Scene defaultScene()
     return scene;
 }
 
+namespace {
+
+Mat3d matrixOf(std::span<const double> rowByRow)
+{
+    const auto& n = rowByRow;
+    return {{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}}};
+}
+
+} // namespace
+
 const Model& modelOf(const Scene& scene)
 {
     const auto model = findModel(scene.surface.model);
@@ -40,7 +51,19 @@ const Model& modelOf(const Scene& scene)
 
 std::vector<double> valuesOf(const Scene& scene)
 {
-    return flatValues(modelOf(scene).text, scene.surface.values);
+    const ModelText& text = modelOf(scene).text;
+    std::vector<double> values = flatValues(text, scene.surface.values);
+    if (scene.surface.convention == Convention::Sensor)
+        return values;
+    const Mat3d fromSeen = inverse(matrixOf(scene.surface.W));
+    for (const Parameter& parameter : text.parameters) {
+        if (parameter.kind != ParameterKind::Matrix)
+            continue;
+        const std::span<double> K = std::span(values).subspan(parameter.offset, 9);
+        const auto inSensorConvention = rowByRow(matrixOf(K) * fromSeen);
+        std::copy(inSensorConvention.begin(), inSensorConvention.end(), K.begin());
+    }
+    return values;
 }
 
 std::vector<Light> shiningLights(const Scene& scene)
@@ -48,6 +71,9 @@ std::vector<Light> shiningLights(const Scene& scene)
     std::vector<Light> lights;
     std::copy_if(scene.lights.begin(), scene.lights.end(), std::back_inserter(lights),
                  [](const Light& l) { return l.on; });
+    if (scene.surface.convention == Convention::Primary)
+        for (Light& light : lights)
+            light.intensity = matrixOf(scene.surface.W) * light.intensity;
     return lights;
 }
 

@@ -7,7 +7,9 @@
 #include "core/illumination/light.h"
 #include "core/reflectance/catalogue.h"
 #include "core/sensor/sensor.h"
+#include "core/spectra/convention.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +20,9 @@ namespace reflectance {
 struct Surface {
     std::string model = "hybrid"; ///< id in the catalogue
     ParameterValues values;
+    Convention convention = Convention::Sensor; ///< of K, and of the lights' intensities
+    /// Primary convention: what sensor i (row) sees of primary j on a perfect white, row by row; not singular.
+    std::array<double, 9> W{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 
     friend bool operator==(const Surface&, const Surface&) = default;
 };
@@ -50,10 +55,11 @@ struct Scene {
 /// The scene's model; its id has been checked when it was set.
 [[nodiscard]] const Model& modelOf(const Scene& scene);
 
-/// The flat parameter values of the scene's model.
+/// The flat parameter values of the scene's model, K in the sensor convention.
 [[nodiscard]] std::vector<double> valuesOf(const Scene& scene);
 
-/// The lights that are on.
+/// The lights that are on, as the sensor sees them on a perfect white: with them, ks I is ks W I, and every renderer knows
+/// the sensor convention only.
 [[nodiscard]] std::vector<Light> shiningLights(const Scene& scene);
 
 /// Reads scene.meshFile (a stock mesh of the program by name, or any mesh file by path) into scene.mesh, with the

@@ -24,6 +24,8 @@ constexpr NamedValue<EnvironmentKind> environmentKinds[] = {{"none", Environment
 constexpr NamedValue<BackgroundKind> backgroundKinds[] = {{"plain", BackgroundKind::Plain},
                                                           {"environment", BackgroundKind::Environment}};
 
+constexpr NamedValue<Convention> conventions[] = {{"sensor", Convention::Sensor}, {"primary", Convention::Primary}};
+
 template <class T, std::size_t count> std::string nameOf(const NamedValue<T> (&names)[count], T value)
 {
     for (const NamedValue<T>& named : names)
@@ -97,7 +99,10 @@ Json written(const Surface& surface)
     Json parameters = Json::object();
     for (const auto& [name, numbers] : surface.values)
         parameters[name] = numbers.size() == 1 ? Json(numbers.front()) : Json(numbers);
-    return {{"model", surface.model}, {"parameters", parameters}};
+    Json json{{"model", surface.model}, {"parameters", parameters}, {"convention", nameOf(surface.convention)}};
+    if (surface.convention == Convention::Primary)
+        json["W"] = surface.W;
+    return json;
 }
 
 void readCamera(ObjectReader object, Camera& camera)
@@ -146,6 +151,17 @@ void readBackground(ObjectReader object, Background& background)
     object.finish();
 }
 
+void readConvention(ObjectReader& object, Surface& surface)
+{
+    object.readNamed("convention", conventions, surface.convention);
+    object.read("W", surface.W);
+    if (surface.convention == Convention::Sensor)
+        surface.W = Surface().W;
+    const auto& W = surface.W;
+    if (!(conditionNumber({{{W[0], W[1], W[2]}, {W[3], W[4], W[5]}, {W[6], W[7], W[8]}}}) < largestCondition))
+        object.fail("W is singular; give nine numbers row by row, what each sensor sees of each primary on white");
+}
+
 void readSurface(ObjectReader object, Surface& surface)
 {
     object.read("model", surface.model);
@@ -169,6 +185,7 @@ void readSurface(ObjectReader object, Surface& surface)
     for (const Model& other : catalogue())
         if (const auto agree = checkLists(other.text, surface.values); !agree)
             object.fail(agree.error().message);
+    readConvention(object, surface);
     object.finish();
 }
 

@@ -8,22 +8,12 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/math/matrix3.h"
+#include "core/spectra/convention.h"
 #include "core/spectra/wavelength_grid.h"
 
 #include <optional>
 
 namespace reflectance {
-
-enum class Convention { Primary, Sensor };
-
-[[nodiscard]] constexpr std::string_view nameOf(Convention convention)
-{
-    return convention == Convention::Primary ? "primary" : "sensor";
-}
-
-/// Beyond this W counts as singular: twelve of sixteen digits would be lost.
-inline constexpr double largestCondition = 1e12;
 
 /// Primaries and filters on one grid, scaled so that the primaries at strength 1 show a perfect white as (1,1,1).
 struct ColorSystem {

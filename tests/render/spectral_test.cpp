@@ -101,6 +101,43 @@ TEST(Spectral, PricesOnAPictureSayWhatThePatchSays)
     EXPECT_GT(lamp[0].mean, 0.1) << "no K helps under a lamp that the primaries cannot make";
 }
 
+/// What a scene in the primary convention must show, put together from pictures that know no convention: M I (N.L) and
+/// ks (W I) (R.V)^n.
+TEST(Convention, ASceneInPrimariesIsDiffuseByMAndSpecularByW)
+{
+    const Bench bench = benchFor("hybrid");
+    Scene primary = bench.scene;
+    const auto M = rowByRow(bench.surface.M);
+    const auto K = rowByRow(bench.surface.K);
+    primary.background.color = {};
+    primary.surface.values["K"] = {M.begin(), M.end()};
+    Scene diffuse = primary;
+    diffuse.surface.model = "lambert_color";
+    Scene specular = primary;
+    specular.surface.model = "phong";
+    for (Light& light : specular.lights)
+        light.intensity = bench.system.W * light.intensity;
+    primary.surface.convention = Convention::Primary;
+    primary.surface.W = rowByRow(bench.system.W);
+    Scene sensor = specular; // lights as the sensor sees them
+    sensor.surface.model = "hybrid";
+    sensor.surface.values["K"] = {K.begin(), K.end()};
+
+    const auto shaded = [&](const Scene& scene) { return shadeSamples(bench.samples, scene, Precision::Double); };
+    const Image parts[] = {shaded(diffuse), shaded(specular)};
+    const Image inPrimaries = shaded(primary);
+    const Image inSensor = shaded(sensor);
+    primary.surface.convention = Convention::Sensor;
+    const Image wrong = shaded(primary);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < inPrimaries.rgb.size(); ++i)
+        worst =
+            std::max(worst, std::fabs(double{parts[0].rgb[i]} + double{parts[1].rgb[i]} - double{inPrimaries.rgb[i]}));
+    EXPECT_LT(worst, rounding);
+    EXPECT_LT(largestDifference(inPrimaries, inSensor), rounding);
+    EXPECT_GT(largestDifference(inPrimaries, wrong), 1e-2) << "the planted fault: the convention forgotten";
+}
+
 TEST(Spectral, AModelWithoutKIsRefused)
 {
     Bench bench = benchFor("lambert_color");

@@ -28,6 +28,8 @@ Scene unusualScene()
     scene.surface.model = "phong";
     scene.surface.values["n"] = {1e7};
     scene.surface.values["K"] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, -0.9};
+    scene.surface.convention = Convention::Primary;
+    scene.surface.W = {0.837, 0.105, 0.058, 0.219, 0.513, 0.268, 0.06, 1.0 / 3.0, 0.774};
     scene.sensor.exposure = -3.3;
     return scene;
 }
@@ -126,6 +128,9 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{R"({"surface": {"parameters": {"ks": -1}}})", "ks = -1 is out of range"},
                     BadScene{R"({"surface": {"parameters": {"ks": [1, 2]}}})", "takes 1 number, not 2"},
                     BadScene{R"({"surface": {"parameters": {"wrong": 1}}})", "no model has a parameter 'wrong'"},
+                    BadScene{R"({"surface": {"convention": "camera"}})", "choose one of: sensor, primary"},
+                    BadScene{R"({"surface": {"convention": "primary", "W": [1, 2, 3]}})", "nine finite numbers"},
+                    BadScene{R"({"surface": {"convention": "primary", "W": [1,1,1, 1,1,1, 0,0,1]}})", "W is singular"},
                     BadScene{R"({"sensor": {"exposure": 1e9}})", "within -16 .. 16"},
                     BadScene{R"({"mesh": "missing.obj"})", "missing.obj"},
                     BadScene{R"({"reflectance_scene": 2})", "reflectance_scene must be a whole number within 1 .. 1"}));

@@ -6,7 +6,7 @@ namespace reflectance {
 
 ShadingInputs shadingInputsOf(const Scene& scene)
 {
-    ShadingInputs inputs{requirementsOf(scene), valuesOf(scene), lightTexels(scene.lights), scene.environment,
+    ShadingInputs inputs{requirementsOf(scene), valuesOf(scene), lightTexels(shiningLights(scene)), scene.environment,
                          scene.background};
     const bool seen = inputs.requirements.environment || inputs.requirements.environmentBackground;
     if (!seen) {
