@@ -7,6 +7,7 @@
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
+#include "core/spectra/color_study.h"
 #include "core/study/curves.h"
 #include "core/study/lens/gl_check.h"
 #include "core/study/lens/term.h"
@@ -85,6 +86,17 @@ struct CurvesPage {
     std::vector<std::string> overlays; ///< ids of models beside the current one
 };
 
+/// The workbench's page of colour: the question, and what was found for it.
+struct ColourPage {
+    ColorQuestion question;
+    Cheat cheat = Cheat::ColorUnderWhite;
+    Convention convention = Convention::Primary;
+    std::size_t patch = 14;             ///< of the chart: red
+    std::optional<ColorQuestion> asked; ///< the question that was answered last
+    std::optional<ColorAnswer> answer;  ///< the last good one
+    std::string problem;                ///< why there is none for `asked`
+};
+
 struct ExplorerState {
     Scene scene;
     int selectedLight = 0; ///< index into scene.lights, -1 for none
@@ -117,6 +129,7 @@ struct ExplorerState {
     ExtremesPage extremesPage;
     std::optional<PutAside> putAside; ///< a hazard's case is shown, and the user's scene waits here
     CurvesPage curves;
+    ColourPage colour;
 
     // Between the panels and the frame loop.
     PanelMemory panels;

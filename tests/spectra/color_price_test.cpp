@@ -1,6 +1,7 @@
 // What each cheat costs: nothing where theory says nothing, and what it must cost elsewhere.
 #include "core/spectra/builtin.h"
 #include "core/spectra/color_price.h"
+#include "core/spectra/color_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +126,34 @@ TEST(ColorPrice, XyzOfTheObserverIsItself)
             const Vec3d row = C.rows[i];
             EXPECT_NEAR(j == 0 ? row.x : j == 1 ? row.y : row.z, i == j ? 1.0 : 0.0, 1e-10);
         }
+}
+
+TEST(ColorStudy, AnswersForEveryLightAndShowsTheTruth)
+{
+    for (const char* under : {"white", "pure blue", "FL11"}) {
+        ColorQuestion question;
+        question.sensor = "nikon_d5100";
+        question.primaries = "display";
+        question.under = under;
+        const auto answer = answered(question);
+        ASSERT_TRUE(answer) << under;
+        EXPECT_EQ(answer->prices.size(), std::size(allCheats));
+        EXPECT_EQ(answer->truth.size(), 24U);
+        EXPECT_EQ(answer->byCheat[4].size(), 24U);
+    }
+    ColorQuestion wrong;
+    wrong.under = "moonlight";
+    EXPECT_FALSE(answered(wrong));
+}
+
+TEST(ColorStudy, WhiteIsShownWhite)
+{
+    const Bench bench = benchOf("nikon_d5100");
+    const Mat3d toXyz = xyzFromSensor(bench.system);
+    const Vec3d seen{0.7, 0.9, 0.4};
+    // A response equal to the light's own is the white of the display: 1, 1, 1 up to rounding.
+    EXPECT_LT(length(displayed(toXyz, seen, seen) - Vec3d(1.0)), 1e-13);
+    EXPECT_LT(length(displayed(toXyz, 0.5 * seen, seen) - Vec3d(0.5)), 1e-13);
 }
 
 TEST(Percentile, IsLinearBetweenOrderStatistics)

@@ -88,6 +88,7 @@ Result<SpectralScene> spectralScene(const Scene& scene, const ColorSystem& syste
         return Error{"the model '" + scene.surface.model +
                      "' has no matrix K for a spectrum to take the place of; use lambert_color or hybrid"};
     SpectralScene spectral{scene, surface.S, {}};
+    spectral.scene.surface.convention = Convention::Sensor; // spectra replace K and the numbers of the lights
     for (const Light& light : scene.lights) {
         const Vec3d I = light.intensity;
         const double brightness = std::max({I.x, I.y, I.z});

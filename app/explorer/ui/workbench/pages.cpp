@@ -1,5 +1,6 @@
 #include "app/explorer/ui/workbench/page.h"
 
+#include "app/explorer/ui/workbench/colour_page.h"
 #include "app/explorer/ui/workbench/curves_page.h"
 #include "app/explorer/ui/workbench/extremes_page.h"
 
@@ -11,6 +12,7 @@ std::span<const WorkbenchPage> workbenchPages()
         {"curves", "Curves", "The surface as curves in the plane of incidence, beside other models.", drawCurvesPage},
         {"extremes", "Extremes", "The inputs at which reflectance code breaks, tried on this machine.",
          drawExtremesPage},
+        {"colour", "Colour", "Where K comes from: filters, primaries, and what a diagonal K costs.", drawColourPage},
     };
     return pages;
 }
