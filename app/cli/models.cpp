@@ -76,11 +76,13 @@ nlohmann::ordered_json described(const ModelText& model)
         limits.push_back({{"model", limit.model}, {"where", limit.where}});
     return {{"id", model.id},
             {"name", model.name},
+            {"family", model.family},
             {"formula", model.formula},
             {"citation", model.citation},
             {"about", model.about},
             {"reciprocal", {{"holds", model.reciprocal.holds}, {"declared", model.reciprocal.reason}}},
             {"passive", {{"holds", model.passive.holds}, {"declared", model.passive.reason}}},
+            {"nonnegative", {{"holds", model.nonnegative.holds}, {"declared", model.nonnegative.reason}}},
             {"becomes", limits},
             {"sees_environment", model.usesEnvironment},
             {"sees_light_size", model.usesLightSize},
@@ -100,6 +102,7 @@ void printText(const ModelText& model)
 {
     std::cout << model.id << "  -  " << model.name << "\n    " << model.formula << "\n    " << model.citation
               << "\n    reciprocal: " << model.reciprocal.reason << "\n    passive: " << model.passive.reason
+              << (model.nonnegative.holds ? "" : "\n    never negative: " + model.nonnegative.reason)
               << limitsText(model, "\n    becomes: ") << '\n';
     for (const Parameter& p : model.parameters)
         std::cout << "    --set " << p.name << "=...  " << p.label << " (" << kindName(p) << "), "
@@ -111,7 +114,9 @@ void printMarkdown(const ModelText& model)
 {
     std::cout << "\n## " << model.name << " (`" << model.id << "`)\n\n    " << model.formula << "\n\n"
               << model.about << "\n\n- Source: " << model.citation << "\n- Reciprocal: " << model.reciprocal.reason
-              << "\n- Passive: " << model.passive.reason << limitsText(model, "\n- Becomes: ")
+              << "\n- Passive: " << model.passive.reason
+              << (model.nonnegative.holds ? "" : "\n- Never negative: " + model.nonnegative.reason)
+              << limitsText(model, "\n- Becomes: ")
               << "\n- Sees the environment: " << (model.usesEnvironment ? "yes" : "no")
               << "; sees the size of lights: " << (model.usesLightSize ? "yes" : "no")
               << "\n\n| parameter | meaning | kind | default | slider | legal | unit | source |\n"

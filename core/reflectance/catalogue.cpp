@@ -50,6 +50,12 @@ std::vector<std::size_t> countsAllowed(const Parameter& parameter)
     return counts;
 }
 
+bool takes(const Parameter& parameter, std::size_t count)
+{
+    const auto counts = countsAllowed(parameter);
+    return std::find(counts.begin(), counts.end(), count) != counts.end();
+}
+
 /// "1 number", "1, 3 or 9 numbers"
 std::string inWords(const std::vector<std::size_t>& counts)
 {
@@ -102,17 +108,22 @@ Result<const Model*> findModel(std::string_view id)
                  "'? Models: " + joined(ids)};
 }
 
+std::vector<double> valueOf(const Parameter& parameter, const ParameterValues& values)
+{
+    const auto found = values.find(parameter.name);
+    return found != values.end() && takes(parameter, found->second.size()) ? spread(parameter, found->second)
+                                                                           : parameter.initial;
+}
+
 std::vector<double> flatValues(const ModelText& model, const ParameterValues& values)
 {
     std::vector<double> flat;
     flat.reserve(model.valueCount());
     for (const Parameter& parameter : model.parameters) {
-        const auto found = values.find(parameter.name);
         const ListForm* form = parameter.kind == ParameterKind::List ? formOf(model, parameter, values) : nullptr;
-        const std::size_t count = form ? form->names.size() : parameter.initial.size();
-        const bool fits = found != values.end() && found->second.size() == count;
-        const std::vector<double> otherwise = form ? inForm(parameter, parameter.initial, *form) : parameter.initial;
-        const std::vector<double>& numbers = fits ? found->second : otherwise;
+        std::vector<double> numbers = valueOf(parameter, values);
+        if (form && numbers.size() != form->names.size())
+            numbers = inForm(parameter, parameter.initial, *form);
         flat.insert(flat.end(), numbers.begin(), numbers.end());
         flat.resize(parameter.offset + parameter.size, 0.0);
     }
@@ -121,9 +132,8 @@ std::vector<double> flatValues(const ModelText& model, const ParameterValues& va
 
 Result<std::vector<double>> checkedValue(const Parameter& parameter, std::span<const double> numbers)
 {
-    const auto counts = countsAllowed(parameter);
-    if (std::find(counts.begin(), counts.end(), numbers.size()) == counts.end())
-        return Error{"parameter " + parameter.name + " takes " + inWords(counts) + ", not " +
+    if (!takes(parameter, numbers.size()))
+        return Error{"parameter " + parameter.name + " takes " + inWords(countsAllowed(parameter)) + ", not " +
                      std::to_string(numbers.size())};
     const auto& choices = parameter.choices;
     if (!choices.empty() && std::find(choices.begin(), choices.end(), numbers[0]) == choices.end())

@@ -29,8 +29,11 @@ struct Model {
 /// Parameter values by name. They outlive a change of model: names that two models share keep their value.
 using ParameterValues = std::map<std::string, std::vector<double>, std::less<>>;
 
-/// The model's flat list of values: from `values` where named there, else the defaults. A list is filled up with 0; one
-/// that does not hold what its choice asks for (see checkLists) counts as not named.
+/// A parameter's numbers: from `values` where named there, spread as checkedValue does, else the default.
+[[nodiscard]] std::vector<double> valueOf(const Parameter& parameter, const ParameterValues& values);
+
+/// The model's flat list of values: valueOf for each parameter in turn. A list is filled up with 0; one that does not hold
+/// what its choice asks for (see checkLists) counts as not named.
 [[nodiscard]] std::vector<double> flatValues(const ModelText& model, const ParameterValues& values);
 
 /// Checks count, choices and legal range and spreads one number over a colour, one over the diagonal of a matrix, three over its

@@ -1,6 +1,7 @@
 // What surrounds a model text on the C++ side: the quantities that belong to the light or the scene, not to the surface.
 #pragma once
 
+#include "core/math/directions.h"
 #include "core/math/lobe.h"
 #include "core/math/shading_language.h"
 #include "core/reflectance/kernel.h"

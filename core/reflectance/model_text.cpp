@@ -87,6 +87,8 @@ private:
         const auto [key, value] = keyAndValue(line);
         if (key == "name")
             model_.name = value;
+        else if (key == "family")
+            model_.family = value;
         else if (key == "formula")
             model_.formula = value;
         else if (key == "citation")
@@ -97,6 +99,8 @@ private:
             model_.reciprocal = parseProperty(value);
         else if (key == "passive")
             model_.passive = parseProperty(value);
+        else if (key == "nonnegative")
+            model_.nonnegative = parseProperty(value);
         else if (key == "becomes")
             return readLimit(value);
         else

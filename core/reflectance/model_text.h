@@ -27,11 +27,13 @@ struct DeclaredLimit {
 struct ModelText {
     std::string id;       ///< file name without ending
     std::string name;     ///< for menus
+    std::string family;   ///< the heading under which menus show it
     std::string formula;  ///< in the lecture's letters
     std::string citation; ///< author, title, year
     std::string about;    ///< one paragraph for people
     DeclaredProperty reciprocal;
     DeclaredProperty passive;
+    DeclaredProperty nonnegative{true, {}}; ///< a text speaks of it only where it does not hold
     std::vector<DeclaredLimit> becomes;
     std::vector<Parameter> parameters;
     bool usesEnvironment = false; ///< defines shadeEnvironment(N, V)

@@ -94,11 +94,17 @@ Json written(const Environment& environment, const std::string& folder)
     return json;
 }
 
+/// One number, or three that are the same: a colour without hue, which reads back from one.
+bool isGrey(const std::vector<double>& numbers)
+{
+    return numbers.size() == 1 || (numbers.size() == 3 && numbers[0] == numbers[1] && numbers[1] == numbers[2]);
+}
+
 Json written(const Surface& surface)
 {
     Json parameters = Json::object();
     for (const auto& [name, numbers] : surface.values)
-        parameters[name] = numbers.size() == 1 ? Json(numbers.front()) : Json(numbers);
+        parameters[name] = isGrey(numbers) ? Json(numbers.front()) : Json(numbers);
     Json json{{"model", surface.model}, {"parameters", parameters}, {"convention", nameOf(surface.convention)}};
     if (surface.convention == Convention::Primary)
         json["W"] = surface.W;

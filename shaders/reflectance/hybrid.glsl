@@ -1,4 +1,5 @@
 //! name      Hybrid
+//! family    Highlights
 //! formula   K I (N.L) + ks I (R.V)^n,  R = 2N(N.L) - L
 //! citation  Lambert 1760 + Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975
 //! about     Lambert in colour plus a Phong highlight: a matte body that takes its colour from K, and a gloss that keeps the colour of the light.
@@ -12,7 +13,7 @@ uniform mat3 K = transpose(mat3(0.62, 0.05, 0.02,
                                 0.02, 0.05, 0.22));
 //: like     lambert_color
 
-uniform float ks = 0.25;
+uniform vec3 ks = vec3(0.25);
 //: like     phong
 
 uniform float n = 40.0;

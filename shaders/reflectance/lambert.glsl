@@ -1,4 +1,5 @@
 //! name      Lambert
+//! family    Matte
 //! formula   kd I (N.L)
 //! citation  Lambert, Photometria, 1760
 //! about     A perfectly matte surface: light arriving is spread evenly, so brightness depends on the light's angle alone and not on yours. One number kd for all three sensors: a grey surface.

@@ -1,4 +1,5 @@
 //! name      Lambert, colour
+//! family    Matte
 //! formula   K I (N.L)
 //! citation  Lambert, Photometria, 1760; K is 3x3 because the sensor's red, green and blue filters overlap
 //! about     Lambert for three sensors and three light primaries: K[i][j] says how much of light primary j reaches sensor i. A diagonal K is the usual cheat.

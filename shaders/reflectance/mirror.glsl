@@ -1,4 +1,5 @@
 //! name      Perfect mirror
+//! family    Mirror
 //! formula   L_out(V) = reflectance * I(R),  R = 2N(N.V) - V
 //! citation  Law of reflection; the reflected light keeps the light's colour
 //! about     You see the surroundings along the mirrored view: the environment, and each light as a disc of its angular radius. A light without extent (radius 0) is met by no view direction, so it adds exactly 0.

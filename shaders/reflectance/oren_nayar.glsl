@@ -1,9 +1,11 @@
 //! name      Oren-Nayar
+//! family    Rough and matte
 //! formula   rho I (N.L) (A + B max(0, s) / t),  s = L.V - (N.L)(N.V),  t = max(N.L, N.V),  A = 1 - 0.5 sigma^2 / (sigma^2 + 0.33),  B = 0.45 sigma^2 / (sigma^2 + 0.09)
 //! citation  Oren and Nayar, Generalization of Lambert's reflectance model, SIGGRAPH 1994: the qualitative form with A and B
 //! about     A matte surface with a rough profile, like clay, plaster or sand: countless small grooves, each of them Lambertian, that shadow and hide one another. Seen from near the light it stays bright to its very edge, so a round body looks flat. With sigma = 0 it is Lambert. Light between grooves is left out.
 //! reciprocal yes
 //! passive   no: smooth surfaces (sigma below 0.35) return up to 1 % more than arrives from near grazing light
+//! becomes   lambert where rho=kd;sigma=0
 
 uniform vec3 rho = vec3(0.69, 0.43, 0.29);
 //: label    Albedo

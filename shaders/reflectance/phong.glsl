@@ -1,16 +1,17 @@
 //! name      Phong
+//! family    Highlights
 //! formula   ks I (R.V)^n,  R = 2N(N.L) - L
 //! citation  Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975
 //! about     A glossy highlight alone: brightest where you look along the mirrored light R, fading with the n-th power of the cosine. The highlight keeps the light's colour.
 //! reciprocal no: the factor lacks the cosine, so exchanging light and viewer changes the BRDF
 //! passive   no: the factor lacks the cosine, so near grazing light every highlight returns more than arrives, a broad one first
 
-uniform float ks = 0.5;
+uniform vec3 ks = vec3(0.5);
 //: label    Specular strength
 //: symbol   k_s
 //: slider   0 .. 1
 //: legal    0 .. inf
-//: tooltip  Height of the highlight: the factor at its peak, where V = R.
+//: tooltip  Height of the highlight: the factor at its peak, where V = R. One number, so that it keeps the light's colour; three, an extension of the lecture, tint it.
 //: source   Phong 1975
 
 uniform float n = 40.0;

@@ -31,7 +31,7 @@ TEST_P(Hazard, H04_TheLobeNeverExceedsOne)
         const Vec3d N = normalized(c.N);
         rows.push_back({N, mirrored(N, normalized(c.L)), {{c.L, {1, 1, 1}, 0.0}}});
     }
-    const double values[] = {1.0, 1e7};
+    const double values[] = {1.0, 1.0, 1.0, 1e7};
     for (const Vec3d& value : evaluate(**findModel("phong"), values, rows, GetParam()))
         ASSERT_LE(value.x, 1.0);
 }

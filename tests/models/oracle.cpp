@@ -12,7 +12,9 @@ const Formula& formulaOf(const std::string& model)
 {
     static const Formulas all = [] {
         Formulas formulas = smoothFormulas();
+        formulas.merge(highlightFormulas());
         formulas.merge(roughFormulas());
+        formulas.merge(facetFormulas());
         formulas.merge(scatteringFormulas());
         return formulas;
     }();
@@ -30,9 +32,11 @@ Inputs inputsOf(const OracleCase& c)
     for (const Vec3d& v : {c.N, c.L, c.V, c.I})
         append(inputs, v);
     inputs.emplace_back(c.radius);
-    for (const std::string& name : formulaOf(c.model).parameters)
-        for (const double number : c.parameters.at(name))
-            inputs.emplace_back(number);
+    for (const auto& [name, count] : formulaOf(c.model).parameters)
+        for (std::size_t i = 0; i < (count == 0 ? c.parameters.at(name).size() : count); ++i) {
+            const std::vector<double>& numbers = c.parameters.at(name);
+            inputs.emplace_back(numbers[numbers.size() == 1 ? 0 : i]);
+        }
     return inputs;
 }
 
@@ -66,7 +70,9 @@ OracleAnswer oracle(const OracleCase& c, double eps)
     }
     const auto rounded = [](const Three& t) { return Vec3d{double(t[0]), double(t[1]), double(t[2])}; };
     const Vec3d high = rounded(truth);
-    return {high, rounded({truth[0] - high.x, truth[1] - high.y, truth[2] - high.z}), rounded(sensitivity)};
+    const auto height = formulaOf(c.model).height;
+    return {high, rounded({truth[0] - high.x, truth[1] - high.y, truth[2] - high.z}), rounded(sensitivity),
+            height ? double(height(inputs)) : 1.0};
 }
 
 double ratioToBound(const OracleCase& c, const Vec3d& got, bool isDouble)
@@ -74,8 +80,7 @@ double ratioToBound(const OracleCase& c, const Vec3d& got, bool isDouble)
     const double eps = isDouble ? 0x1p-53 : 0x1p-24;
     const OracleAnswer truth = oracle(c, eps);
     const double light = std::max({std::fabs(c.I.x), std::fabs(c.I.y), std::fabs(c.I.z)});
-    const auto ks = c.parameters.find("ks");
-    const double peak = std::max(1.0, light * (ks != c.parameters.end() ? ks->second[0] : 1.0));
+    const double peak = std::max(1.0, light * truth.height);
     // Twice, because the lanes cut one percent above the smallest normal number, to be safe in exp.
     double allowance = 2.0 * (isDouble ? 0x1p-1022 : 0x1p-126) * peak;
     if (!isDouble && std::fabs(reflectance::dot(normalized(c.N), normalized(c.L))) < 4.0 * eps)

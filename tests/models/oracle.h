@@ -29,6 +29,7 @@ struct OracleAnswer {
     /// each component of N, L and V is moved by 16 eps of the vector's length, all else by 16 eps of itself. That far
     /// roundings can together carry a row across the rim of a light or the horizon, where values jump.
     Vec3d sensitivity;
+    double height = 1.0; ///< what the model's exponential is multiplied by, but for the light
 };
 
 /// `eps` is the unit roundoff of the arithmetic under test: 2^-53 or 2^-24.

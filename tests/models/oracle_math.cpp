@@ -1,5 +1,6 @@
 #include "tests/models/oracle_math.h"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 
 namespace reflectance::test {
@@ -41,6 +42,23 @@ Real angle(const Three& a, const Three& b)
     return atan2(sqrt(dot(c, c)), dot(a, b));
 }
 
+Three unit(const Three& v)
+{
+    const Real length = sqrt(dot(v, v));
+    return length == 0 ? v : scaled(v, 1 / length);
+}
+
+Three turnedAbout(const Three& N, const Three& A)
+{
+    const Real along = dot(N, A) / dot(N, N);
+    Three result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Real part = along * N[i];
+        result[i] = part - (A[i] - part);
+    }
+    return result;
+}
+
 bool above(const Inputs& x, std::size_t at)
 {
     return dot(three(x, atN), three(x, at)) > 0;
@@ -55,6 +73,16 @@ Three matrixTimesLight(const Inputs& x, std::size_t at)
 {
     const Three I = three(x, atI);
     return {dot(three(x, at), I), dot(three(x, at + 3), I), dot(three(x, at + 6), I)};
+}
+
+Three matteBody(const Inputs& x, std::size_t atK)
+{
+    return scaled(matrixTimesLight(x, atK), cosineOfIncidence(x));
+}
+
+Real largest(const Inputs& x, std::size_t at)
+{
+    return std::max({x[at], x[at + 1], x[at + 2]});
 }
 
 Three colorTimesLight(const Inputs& x, std::size_t at)

@@ -99,7 +99,7 @@ Three koenderink(const Inputs& x)
 
 Formulas scatteringFormulas()
 {
-    return {{"koenderink", {{"order", "coefficients"}, koenderink}}};
+    return {{"koenderink", {{{"order"}, {"coefficients", 0}}, koenderink}}};
 }
 
 } // namespace reflectance::test

@@ -36,12 +36,17 @@ private:
     std::mt19937_64 engine_;
 };
 
-double randomExponent(Dice& dice, std::size_t row)
+double randomExponent(Dice& dice, std::size_t row, double largest)
 {
     if (row % 20 == 0)
         return 0.0;
-    const double n = dice.logUniform(0.1, 1e7);
+    const double n = dice.logUniform(0.1, largest);
     return row % 2 == 0 ? std::round(n) : n;
+}
+
+std::vector<double> randomColor(Dice& dice, double largest)
+{
+    return {dice.uniform(0.0, largest), dice.uniform(0.0, largest), dice.uniform(0.0, largest)};
 }
 
 /// Both grazing; the azimuth undefined or nearly so.
@@ -123,11 +128,15 @@ std::vector<OracleCase> randomCases(const std::string& model, std::size_t count)
             entry = dice.uniform(-0.4, 1.0);
         c.parameters = {{"kd", {dice.uniform(0.0, 1.5)}},
                         {"reflectance", {dice.uniform(0.0, 1.5)}},
-                        {"ks", {dice.uniform(0.0, 2.0)}},
-                        {"n", {randomExponent(dice, row)}},
+                        {"ks", randomColor(dice, 2.0)},
+                        {"n", {randomExponent(dice, row, model.starts_with("blinn") ? 1e8 : 1e7)}},
                         {"K", K},
-                        {"rho", {dice.uniform(0.0, 1.0), dice.uniform(0.0, 1.0), dice.uniform(0.0, 1.0)}},
-                        {"sigma", {row % 20 == 0 ? 0.0 : dice.logUniform(1e-3, 1e3)}}};
+                        {"rho", randomColor(dice, 1.0)},
+                        {"sigma", {row % 20 == 0 ? 0.0 : dice.logUniform(1e-3, 1e3)}},
+                        {"r", {row % 20 < 2 ? static_cast<double>(row % 20) : dice.uniform(0.0, 1.0)}},
+                        {"alpha", {dice.logUniform(1e-4, 1.0)}},
+                        {"m", {dice.logUniform(1e-4, 10.0)}},
+                        {"f0", randomColor(dice, 1.0)}};
         setModes(dice, row, c);
     }
     return cases;

@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{R"({"lights": [{"radius": 91}]})", "within 0 .. 90"},
                     BadScene{R"({"surface": {"model": "lambret"}})", "did you mean 'lambert'"},
                     BadScene{R"({"surface": {"parameters": {"ks": -1}}})", "ks = -1 is out of range"},
-                    BadScene{R"({"surface": {"parameters": {"ks": [1, 2]}}})", "takes 1 number, not 2"},
+                    BadScene{R"({"surface": {"parameters": {"ks": [1, 2]}}})", "takes 1 or 3 numbers, not 2"},
                     BadScene{R"({"surface": {"parameters": {"wrong": 1}}})", "no model has a parameter 'wrong'"},
                     BadScene{R"({"surface": {"convention": "camera"}})", "choose one of: sensor, primary"},
                     BadScene{R"({"surface": {"convention": "primary", "W": [1, 2, 3]}})", "nine finite numbers"},

@@ -10,29 +10,56 @@ namespace reflectance::explorer {
 
 namespace {
 
-std::vector<double> currentValues(const ParameterValues& values, const Parameter& parameter)
+constexpr std::array<const char*, 3> channels = {"red", "green", "blue"};
+
+/// Switches between one number for all channels and three; three become their mean.
+bool channelsButton(std::vector<double>& values, bool& three, float width)
 {
-    const auto found = values.find(parameter.name);
-    return found == values.end() ? parameter.initial : found->second;
+    ImGui::SameLine(0, points(4));
+    ImGui::PushFont(face(Face::Small));
+    const bool pressed = toggleButton("RGB", three, {width, ImGui::GetFrameHeight()});
+    ImGui::PopFont();
+    tooltip(three ? "Red, green and blue apart. Press for one number, their mean."
+                  : "One number for red, green and blue. Press to set them apart.");
+    if (!pressed)
+        return false;
+    const bool differ = values[0] != values[1] || values[1] != values[2];
+    if (differ)
+        values.assign(3, (values[0] + values[1] + values[2]) / 3);
+    three = !three;
+    return differ;
 }
 
+/// One slider while the three numbers are the same, unless three were asked for.
 bool colorRow(const Parameter& parameter, std::vector<double>& values, const std::vector<FormulaPiece>& formula,
               ExplorerState& state)
 {
-    constexpr std::array<const char*, 3> channels = {"red", "green", "blue"};
     rowLabel(parameter.symbol, parameter.label);
+    ImGui::PushID(parameter.name.c_str());
+    bool& asked = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("three"), false);
+    bool three = asked || values[0] != values[1] || values[1] != values[2];
     const float gap = points(4);
-    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    const float button = points(38);
+    const float fields = ImGui::GetContentRegionAvail().x - button - gap;
     bool changed = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-        NumberRow row = rowOf(parameter, i);
+    NumberRow row = rowOf(parameter, 0);
+    row.formula = formula;
+    if (!three && numberField(row, values[0], fields, state.message)) {
+        values.assign(3, values[0]);
+        changed = true;
+    }
+    for (std::size_t i = 0; i < 3 && three; ++i) {
+        row = rowOf(parameter, i);
         row.name += channels[i];
         row.label += std::string(", ") + channels[i];
         row.formula = formula;
-        changed |= numberField(row, values[i], width, state.message);
+        changed |= numberField(row, values[i], (fields - 2 * gap) / 3, state.message);
         if (i < 2)
             ImGui::SameLine(0, gap);
     }
+    changed |= channelsButton(values, three, button);
+    asked = three;
+    ImGui::PopID();
     return changed;
 }
 
@@ -71,7 +98,7 @@ void parameterRows(const ModelText& model, const Parameter& parameter, ExplorerS
     if (parameter.kind == ParameterKind::List)
         return listRows(model, parameter, state);
     ParameterValues& kept = state.scene.surface.values;
-    std::vector<double> values = currentValues(kept, parameter);
+    std::vector<double> values = valueOf(parameter, kept);
     bool changed = false;
     if (parameter.kind == ParameterKind::Matrix) {
         changed = matrixEditor(parameter, values, state);

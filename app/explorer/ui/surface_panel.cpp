@@ -55,9 +55,14 @@ void modelMenu(ExplorerState& state)
     rowLabel("", "Model");
     const bool open = beginMenu("##model menu", current.text.name.c_str());
     if (open) {
-        for (const Model& model : catalogue())
+        std::string_view family;
+        for (const Model& model : catalogue()) {
+            if (model.text.family != family)
+                remark(model.text.family, palette::accent);
+            family = model.text.family;
             if (modelLine(model.text, &model == &current))
                 state.scene.surface.model = model.id();
+        }
         ImGui::EndCombo();
     } else {
         modelTooltip(current.text);
@@ -80,6 +85,10 @@ void drawFormulaBlock(const ModelText& model)
     ImGui::SameLine(0, points(14));
     drawProperty("passive", model.passive, "Passive: no more light leaves than arrives.");
     ImGui::SameLine(0, points(14));
+    if (!model.nonnegative.holds) {
+        drawProperty("never negative", model.nonnegative, "Never negative: no light is taken away.");
+        ImGui::SameLine(0, points(14));
+    }
     ImGui::PushFont(face(Face::Small));
     const std::string citation = elided(model.citation, ImGui::GetContentRegionAvail().x);
     ImGui::PopFont();

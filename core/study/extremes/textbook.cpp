@@ -50,8 +50,8 @@ Vec3<T> shaded(const Model& model, std::span<const double> values, const Observa
                                                                                    : Vec3<T>();
     Vec3<T> sum = cosine * diffuse(model, values, I);
     if (const auto ks = numbersOf(model, values, "ks"); !ks.empty())
-        sum += static_cast<T>(ks[0]) *
-               std::pow(std::max(reflected, T(0)), static_cast<T>(numbersOf(model, values, "n")[0])) * I;
+        sum += std::pow(std::max(reflected, T(0)), static_cast<T>(numbersOf(model, values, "n")[0])) *
+               Vec3<T>(Vec3d(ks[0], ks[1], ks[2])) * I;
     return sum;
 }
 

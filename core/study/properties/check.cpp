@@ -8,7 +8,7 @@ namespace reflectance::properties {
 namespace {
 
 /// Who says whether the property holds: physics for every model, or the model's text.
-enum class Promise { EveryModel, Reciprocal, Passive, FurnaceIfPassive };
+enum class Promise { EveryModel, Nonnegative, Reciprocal, Passive, FurnaceIfPassive };
 
 struct Property {
     PropertyText text;
@@ -17,10 +17,12 @@ struct Property {
 };
 
 constexpr Property allProperties[] = {
-    {{"values", "finite and never negative for lights of one primary",
-      "double, float and SIMD; finite also at the ends of the legal ranges", 0.0, "exact"},
-     measureNegativity,
+    {{"values", "finite numbers", "double, float and SIMD; also at the ends of the legal ranges", 0.0, "exact"},
+     measureFiniteness,
      Promise::EveryModel},
+    {{"sign", "never negative for lights of one primary", "double, float and SIMD", 0.0, "exact"},
+     measureNegativity,
+     Promise::Nonnegative},
     {{"horizon", "exactly 0 where N.L <= 0",
       "double, float and SIMD; on the horizon, 1e-15 below it and deep; also at the ends of the legal ranges", 0.0,
       "exact: a gate"},
@@ -65,6 +67,8 @@ const DeclaredProperty* declaration(const ModelText& model, Promise promise)
 {
     if (promise == Promise::EveryModel)
         return nullptr;
+    if (promise == Promise::Nonnegative)
+        return &model.nonnegative;
     return promise == Promise::Reciprocal ? &model.reciprocal : &model.passive;
 }
 

@@ -6,6 +6,7 @@
 
 namespace reflectance::properties {
 
+[[nodiscard]] Finding measureFiniteness(const Model& model, const Effort& effort);
 [[nodiscard]] Finding measureNegativity(const Model& model, const Effort& effort);
 [[nodiscard]] Finding measureUnlit(const Model& model, const Effort& effort);
 [[nodiscard]] Finding measureReciprocity(const Model& model, const Effort& effort);

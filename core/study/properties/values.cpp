@@ -27,22 +27,27 @@ template <class Look> void atLegalEnds(const Model& model, const std::vector<Dir
 
 } // namespace
 
+Finding measureFiniteness(const Model& model, const Effort& effort)
+{
+    const auto directions = directionSamples(effort.directions);
+    Finding finding;
+    const auto look = [&](const Place& here) {
+        finding.see(std::isfinite(largestOf(valueAt(model, here))) ? 0.0 : infinite, here);
+    };
+    everywhere(model, effort, directions, [&](const Place& place) { everyPrecision(place, look); });
+    atLegalEnds(model, directions, look);
+    return finding;
+}
+
 Finding measureNegativity(const Model& model, const Effort& effort)
 {
     constexpr Vec3d primaries[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const auto directions = directionSamples(effort.directions);
     Finding finding;
-    everywhere(model, effort, directions, [&](const Place& place) {
+    everywhere(model, effort, directionSamples(effort.directions), [&](const Place& place) {
         everyPrecision(place, [&](const Place& here) {
-            for (const Vec3d& I : primaries) {
-                const Vec3d value = valueAt(model, here, I);
-                finding.see(std::isfinite(largestOf(value)) ? -smallestOf(value) : infinite, here);
-            }
+            for (const Vec3d& I : primaries)
+                finding.see(-smallestOf(valueAt(model, here, I)), here);
         });
-    });
-    // Beyond the sliders a value may have any sign, but it is still a number.
-    atLegalEnds(model, directions, [&](const Place& here) {
-        finding.see(std::isfinite(largestOf(valueAt(model, here))) ? 0.0 : infinite, here);
     });
     return finding;
 }
