@@ -8,6 +8,12 @@
 
 namespace reflectance {
 
+/// Component by component, as in GLSL.
+template <class T> [[nodiscard]] Vec3<T> operator/(const Vec3<T>& a, const Vec3<T>& b)
+{
+    return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
+
 /// asin(x) for 0 <= x <= sqrt(1/2).
 [[nodiscard]] inline double arcsine(double x)
 {

@@ -43,7 +43,6 @@ template <class T> struct Vec3 {
     friend constexpr Vec3 operator*(const Vec3& a, const T& s) { return {a.x * s, a.y * s, a.z * s}; }
     friend constexpr Vec3 operator*(const T& s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
     friend constexpr Vec3 operator/(const Vec3& a, const T& s) { return {a.x / s, a.y / s, a.z / s}; }
-    friend constexpr Vec3 operator/(const Vec3& a, const Vec3& b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
     // Not defaulted: clang would compare SIMD lanes too, and they have no single answer.
     friend constexpr bool operator==(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 };
@@ -78,9 +77,7 @@ template <class T> [[nodiscard]] constexpr Vec3<T> cross(const Vec3<T>& a, const
         return {};
     // A power of two scales without rounding; ldexp in two steps reaches the subnormals.
     const int exponent = std::ilogb(largest);
-    const auto scaled = [exponent](double c) {
-        return std::ldexp(std::ldexp(c, -(exponent / 2)), -(exponent - exponent / 2));
-    };
+    const auto scaled = [exponent](double c) { return std::ldexp(std::ldexp(c, -(exponent / 2)), -(exponent - exponent / 2)); };
     const Vec3d s{scaled(v.x), scaled(v.y), scaled(v.z)};
     return s / std::sqrt(dot(s, s));
 }

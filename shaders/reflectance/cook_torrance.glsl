@@ -1,7 +1,7 @@
 //! name      Cook-Torrance
 //! family    Tiny mirrors
 //! formula   K I (N.L) + ks I F D G pi / (4 (N.V)),  D = exp(-tan(h)^2 / m^2) / (pi m^2 cos(h)^4),  G = min(1, 2 (N.H)(N.V) / (V.H), 2 (N.H)(N.L) / (V.H)),  F = f0 + (1 - f0) (1 - V.H)^5,  h the angle between N and H
-//! citation  Cook and Torrance, A reflectance model for computer graphics, SIGGRAPH 1981; F by Schlick 1994
+//! citation  Cook and Torrance, A reflectance model for computer graphics, ACM TOG 1(1), 1982; F by Schlick 1994
 //! about     A surface of tiny mirrors whose slopes spread by m (Beckmann), which shade and hide one another in V-shaped grooves (G) and reflect more at glancing angles (F). The BRDF is K / pi + ks F D G / (4 (N.L)(N.V)), what flat facets give. The paper prints pi where 4 stands and its D without pi, four times as much; the fits of Ngan et al. 2005 divide a D with pi by pi once more, so their ks is pi / 4 of the one here.
 //! reciprocal yes
 //! passive   no: K is added to what the facets return
@@ -13,7 +13,7 @@ uniform float m = 0.25;
 //: slider   0.01 .. 1 log
 //: legal    1e-4 .. 10
 //: tooltip  Root mean square slope of the facets. Small: a sharp highlight; fits to measured surfaces lie from 0.005 (polished metal) to 1 (felt).
-//: source   Beckmann and Spizzichino 1963; Cook and Torrance 1981
+//: source   Beckmann and Spizzichino 1963; Cook and Torrance 1982
 
 uniform vec3 f0 = vec3(0.06);
 //: label    Facing reflectance
@@ -29,7 +29,7 @@ uniform vec3 ks = vec3(1.0);
 //: slider   0 .. 1
 //: legal    0 .. inf
 //: tooltip  How much of the facets' reflection is there: 1 is all of it. One number keeps its colour; three tint it.
-//: source   s in Cook and Torrance 1981
+//: source   s in Cook and Torrance 1982
 
 uniform mat3 K = transpose(mat3(0.0));
 //: like     lambert_color

@@ -1,7 +1,7 @@
 //! name      Oren-Nayar, improved by Fujii
 //! family    Rough and matte
 //! formula   rho I (N.L) (1 + r s / t) / (1 + (1/2 - 2 / (3 pi)) r),  s = L.V - (N.L)(N.V),  t = max(N.L, N.V) where s > 0, else 1
-//! citation  Fujii, A tiny improvement of Oren-Nayar reflectance model, 2012; named FON in Portsmouth, Kutz and Hill, EON, JCGT 14(1), 2025
+//! citation  Fujii, A tiny improvement of Oren-Nayar reflectance model; named FON in Portsmouth, Kutz and Hill, EON, JCGT 14(1), 2025
 //! about     Oren-Nayar's shape without its ring, the dark seam where light and viewer stand square to each other: behind the light it goes on falling instead of standing still. One roughness r from 0 (Lambert) to 1 takes the place of sigma. Light between grooves is lost, so a rough surface is too dark.
 //! reciprocal yes
 //! passive   yes, for rho <= 1
@@ -16,7 +16,7 @@ uniform float r = 0.5;
 //: slider   0 .. 1
 //: legal    0 .. 1
 //: tooltip  0 is Lambert, 1 the roughest surface that the formula knows.
-//: source   Fujii 2012
+//: source   Fujii
 
 vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I)
 {

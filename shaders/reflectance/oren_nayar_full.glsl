@@ -1,7 +1,7 @@
 //! name      Oren-Nayar, full
 //! family    Rough and matte
 //! formula   rho I (N.L) (C1 + cos(phi) C2 tan(beta) + (1 - |cos(phi)|) C3 tan((alpha + beta) / 2)) + 0.17 rho^2 I (N.L) (1 - cos(phi) (2 beta / pi)^2) sigma^2 / (sigma^2 + 0.13),  alpha and beta the larger and the smaller angle to N, phi the azimuth between L and V
-//! citation  Oren and Nayar, Generalization of Lambert's reflectance model, SIGGRAPH 1994: equations 27 to 30, with interreflection
+//! citation  Oren and Nayar, Generalization of Lambert's reflectance model, SIGGRAPH 1994: the long form, with interreflection
 //! about     The long form of Oren-Nayar, with the light that bounces once between the walls of a groove; it deepens the colour, since rho enters squared. A fit to integrals, taken as it stands: for sigma above 0.65 it is negative where light and viewer graze opposite sides. Nothing is clamped before the sensor, which counts such pixels.
 //! reciprocal yes
 //! passive   no: smooth surfaces return up to 5 % more than arrives from grazing light

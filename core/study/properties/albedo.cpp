@@ -10,7 +10,8 @@ namespace reflectance::properties {
 namespace {
 
 constexpr Vec3d up{0, 0, 1};
-constexpr int orders[] = {12, 18, 36, 72};
+constexpr int leaningOrders[] = {12, 18, 36, 72};
+constexpr int uprightOrders[] = {6, 9, 12, 18};
 constexpr double wanted = 1e-7; ///< of two orders' difference, so that a share is right to 1e-6
 
 /// Sums weight(direction) * value over the grid; put(block, i, direction) sets L and V of a row.
@@ -46,6 +47,11 @@ double largestDistance(const Vec3d& a, const Vec3d& b)
     return std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
 }
 
+bool isGood(const Share& share)
+{
+    return share.error <= wanted * std::max(1.0, largestDistance(share.value, {}));
+}
+
 } // namespace
 
 HemisphereSums::HemisphereSums(double angle)
@@ -56,14 +62,27 @@ HemisphereSums::HemisphereSums(double angle)
 
 Share HemisphereSums::refined(Sum sum, const Model& model, std::span<const double> values)
 {
+    const Share first = refinedOn(uprightFirst_, sum, model, values);
+    if (isGood(first))
+        return first;
+    const Share other = refinedOn(!uprightFirst_, sum, model, values);
+    if (isGood(other))
+        uprightFirst_ = !uprightFirst_;
+    return other.error < first.error ? other : first;
+}
+
+Share HemisphereSums::refinedOn(bool upright, Sum sum, const Model& model, std::span<const double> values)
+{
+    Grids& grids = upright ? upright_ : leaning_;
     Share share;
-    for (std::size_t i = 0; i < std::size(orders); ++i) {
-        if (i == grids_.size())
-            grids_.push_back(hemisphere({radians(angle_), radians(discRadius_)}, orders[i]));
-        const Vec3d finer = (this->*sum)(model, values, grids_[i]);
+    for (std::size_t i = 0; i < std::size(leaningOrders); ++i) {
+        if (i == grids.size())
+            grids.push_back(upright ? uprightHemisphere(radians(angle_), uprightOrders[i])
+                                    : hemisphere({radians(angle_), radians(discRadius_)}, leaningOrders[i]));
+        const Vec3d finer = (this->*sum)(model, values, grids[i]);
         share.error = largestDistance(finer, share.value);
         share.value = finer;
-        if (i > 0 && share.error <= wanted * std::max(1.0, largestDistance(finer, {})))
+        if (i > 0 && isGood(share))
             break;
     }
     return share;

@@ -16,7 +16,9 @@ struct Share {
     double error = 0.0;
 };
 
-/// Shares at one angle between the normal and the light (or viewer). The grids are kept from call to call.
+/// Shares at one angle between the normal and the light (or viewer). Two families of grids are at hand: one about the
+/// mirrored direction for highlights, one about the normal for matte surfaces; the one that served last is tried first.
+/// The grids are kept from call to call.
 class HemisphereSums {
 public:
     /// `angle` in degrees, below 90.
@@ -38,6 +40,7 @@ private:
                                           const std::vector<WeightedDirection>&) const;
 
     [[nodiscard]] Share refined(Sum sum, const Model& model, std::span<const double> values);
+    [[nodiscard]] Share refinedOn(bool upright, Sum sum, const Model& model, std::span<const double> values);
     [[nodiscard]] Vec3d albedoSum(const Model& model, std::span<const double> values,
                                   const std::vector<WeightedDirection>& grid) const;
     [[nodiscard]] Vec3d furnaceSum(const Model& model, std::span<const double> values,
@@ -46,7 +49,9 @@ private:
     double angle_;
     double discRadius_; ///< degrees
     Vec3d fixed_;       ///< the light for the albedo, the viewer for the furnace
-    std::vector<std::vector<WeightedDirection>> grids_;
+    using Grids = std::vector<std::vector<WeightedDirection>>;
+    Grids leaning_, upright_; ///< in the order of their orders
+    bool uprightFirst_ = false;
 };
 
 } // namespace reflectance::properties

@@ -42,7 +42,7 @@ constexpr Property allProperties[] = {
      Promise::EveryModel},
     {{"rotation", "turning N, L and V together changes nothing",
       "double, float and SIMD, in units of 8 (kappa + 1) eps; kappa, the sensitivity to N, L and V, by differences",
-      1.0, "turning rounds the inputs, and the value follows them by kappa"},
+      2.0, "turning rounds the inputs, and the value follows them by kappa; twice, for sums whose terms cancel"},
      measureRotation,
      Promise::EveryModel},
     {{"reciprocity", "f(L,V) = f(V,L) for f = factor / (pi N.L)", "relative difference, double", 1e-9,

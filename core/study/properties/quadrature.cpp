@@ -90,4 +90,26 @@ std::vector<WeightedDirection> hemisphere(const HemisphereGrid& grid, int order)
     return directions;
 }
 
+std::vector<WeightedDirection> uprightHemisphere(double rim, int order)
+{
+    const GaussLegendre gauss = gaussLegendre(order);
+    std::vector<double> rings{0.0, rim, pi / 2.0};
+    for (double elevation = pi / 4.0; elevation > 1e-3; elevation /= 2.0)
+        rings.push_back(pi / 2.0 - elevation);
+    std::sort(rings.begin(), rings.end());
+    std::vector<WeightedDirection> directions;
+    const Basis about{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+    for (std::size_t ring = 1; ring < rings.size(); ++ring)
+        for (std::size_t i = 0; i < gauss.x.size(); ++i) {
+            const double width = rings[ring] - rings[ring - 1];
+            const double polar = rings[ring - 1] + width * gauss.x[i];
+            const double weight = std::sin(polar) * width * gauss.weight[i] * pi / 2.0;
+            for (const double quarter : {0.0, 1.0, 2.0, 3.0})
+                for (std::size_t k = 0; k < gauss.x.size(); ++k)
+                    directions.push_back(
+                        {directionIn(about, polar, (quarter + gauss.x[k]) * pi / 2.0), weight * gauss.weight[k]});
+        }
+    return directions;
+}
+
 } // namespace reflectance::properties

@@ -31,4 +31,9 @@ struct WeightedDirection {
 /// The weights sum to 2 pi. `order` is the number of circles between two breaks, and half of the points on a circle.
 [[nodiscard]] std::vector<WeightedDirection> hemisphere(const HemisphereGrid& grid, int order);
 
+/// For matte surfaces, which bend at other places: polar coordinates about (0,0,1), in circles that break at the polar
+/// angle `rim` (radians) and are graded by powers of two towards the horizon, in arcs of a quarter that begin at +x.
+/// `order` points on each arc and between two breaks.
+[[nodiscard]] std::vector<WeightedDirection> uprightHemisphere(double rim, int order);
+
 } // namespace reflectance::properties

@@ -55,7 +55,7 @@ std::vector<Numbers> landmarks(const Parameter& p)
     if (p.kind == ParameterKind::List)
         return {timesDefault(p, 0.0), p.initial, timesDefault(p, 2.0)};
     std::vector<Numbers> found;
-    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+    for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0})
         found.emplace_back(p.size, onSlider(p, share));
     if (p.kind == ParameterKind::Color)
         found.insert(found.begin() + 1, {p.sliderMax, p.sliderMin, onSlider(p, 0.5)});
@@ -145,9 +145,11 @@ std::vector<Numbers> parameterSamples(const ModelText& model, std::size_t interi
             put(model.parameters[i], high ? marks.back() : marks.front(), samples.back());
         }
     }
+    // Alone at its landmarks, the others at their high ends: a matte surface gives too much where it is white and just
+    // slightly rough.
     for (const Parameter& p : model.parameters)
         for (const Numbers& landmark : landmarks(p)) {
-            samples.push_back(initial);
+            samples.push_back(samples[std::size_t{1} << bits]);
             put(p, landmark, samples.back());
         }
     for (std::size_t i = 0; i < interior && !model.parameters.empty(); ++i) {
