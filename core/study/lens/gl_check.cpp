@@ -10,7 +10,9 @@
 namespace reflectance {
 namespace {
 
-constexpr double smallestNormal = 0x1p-126;
+/// GLSL cuts an exponential to 0 below the smallest normal number, 2^-126; what multiplies it afterwards, the light and the
+/// height of a highlight, stays below 2^26.
+constexpr double cut = 0x1p-100;
 
 /// Rows of the grid that are examined at a time: few enough that a cancelled check ends at once.
 constexpr std::ptrdiff_t rowsAtATime = 2;
@@ -27,7 +29,7 @@ void see(const GlPixel& pixel, GlCheck& check)
 /// The channel nearest to its bound.
 void judge(double drawn, double exact, double slope, GlPixel& pixel)
 {
-    const double bound = 64.0 * 0x1p-23 * slope + smallestNormal;
+    const double bound = 64.0 * 0x1p-23 * slope + cut;
     const double difference = drawn == exact ? 0.0 : std::fabs(drawn - exact); // equal infinities are equal
     const double ratio = difference / bound;
     if (std::isnan(ratio) || ratio > pixel.ratio || pixel.bound == 0.0) {

@@ -31,7 +31,7 @@ struct GlCheck {
 /// Looks at about `wanted` pixels on a grid, those that the object covers whole: at its edge the background shows, too.
 /// `drawn` is GL's picture of `samples`. Nothing where `progress` is cancelled.
 ///
-/// The bound of a channel is 64 (kappa + 1) 2^-23 |exact| plus the smallest normal number, kappa by differences
+/// The bound of a channel is 64 (kappa + 1) 2^-23 |exact| plus 2^-100, kappa by differences
 /// (sensitivity.h), its parts averaged over the pixel's samples: GLSL leaves divisions 2.5 units and the order of sums
 /// open, so it has twice of what C++ has, in units of 2^-23.
 [[nodiscard]] std::optional<GlCheck> checkGl(const ViewSamples& samples, const Image& drawn, const Scene& scene,
