@@ -47,7 +47,7 @@ std::string memberValue(const Parameter& p)
 void writeModel(std::ostream& out, const ModelText& model)
 {
     out << "\ntemplate <class T> struct " << model.id << " : Frame<T> {\n"
-        << "    using Frame<T>::insideLight;\n    using Frame<T>::environment;\n";
+        << "    using Frame<T>::insideLight;\n    using Frame<T>::environment;\n    using Frame<T>::tableAt;\n";
     for (const Parameter& p : model.parameters)
         out << "    " << memberType(p.kind) << " " << p.name
             << (p.kind == ParameterKind::List ? "[" + std::to_string(p.size) + "]" : "") << ";\n";

@@ -14,7 +14,7 @@ int run(const std::string& folder, const std::string& header, char** pairs, int 
 {
     std::ofstream out(header);
     out << "// Made by tools/make_texts from the shared texts under shaders; do not edit.\n#pragma once\n\n"
-           "#include \"core/math/shading_language.h\"\n\nnamespace reflectance::texts {\n";
+           "#include \"core/math/shading_language.h\"\n#include \"core/math/texels.h\"\n\nnamespace reflectance::texts {\n";
     for (int i = 0; i < count; ++i) {
         const std::string pair = pairs[i];
         const std::size_t equals = pair.find('=');

@@ -46,8 +46,12 @@ std::string typeNamed(std::string_view word)
         return "T";
     if (word == "vec3")
         return "Vec3<T>";
+    if (word == "vec4")
+        return "Vec4<T>";
     if (word == "mat3")
         return "Mat3<T>";
+    if (word == "samplerBuffer")
+        return "TexelBuffer<T>";
     return std::string(word);
 }
 

@@ -6,7 +6,7 @@
 
 namespace reflectance::tools {
 
-/// The text with T for float, Vec3<T> for vec3, Mat3<T> for mat3 and lit<T>(0.33) for literals with a point (whole
+/// The text with T for float, Vec3<T> for vec3 (and so on), TexelBuffer<T> for samplerBuffer and lit<T>(0.33) for literals with a point (whole
 /// numbers stay int); a uniform becomes a data member. Comments go, line ends stay: after a #line, errors, coverage and debuggers point into the .glsl file.
 [[nodiscard]] std::string instantiated(std::string_view code);
 

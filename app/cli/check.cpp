@@ -106,7 +106,8 @@ int run(const Options& options)
     std::map<properties::Verdict, int> counts;
     Json models = Json::array();
     for (const Model& model : catalogue())
-        if (options.model.empty() || model.id() == options.model)
+        // A table is as good as its measurement; `table info` says how good that is.
+        if (!model.text.usesTable && (options.model.empty() || model.id() == options.model))
             models.push_back(checked(model, options, counts));
     const int broken = counts[properties::Verdict::Broken];
     if (options.json != "-")

@@ -12,6 +12,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <tuple>
 
 namespace reflectance::cli {
 namespace {
@@ -29,15 +30,15 @@ constexpr const char* description =
     "parted by |. params is name=value;name=value. Output: id,r,g,b - the lecture's factor times the light (cosine "
     "included; the BRDF times pi), linear, unclamped.";
 
-/// Rows of one model with one set of values are evaluated together.
-using Group = std::pair<const Model*, std::vector<double>>;
+/// Rows of one model with one set of values and one table are evaluated together.
+using Group = std::tuple<const Model*, std::vector<double>, std::shared_ptr<const MeasuredTable>>;
 using Evaluator = std::function<Result<std::vector<Vec3d>>(const Group&, const std::vector<Observation>&)>;
 
 Result<std::vector<Vec3d>> evaluateGrouped(const std::vector<EvalRow>& rows, const Evaluator& evaluator)
 {
     std::map<Group, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < rows.size(); ++i)
-        groups[{rows[i].model, rows[i].values}].push_back(i);
+        groups[{rows[i].model, rows[i].values, rows[i].table}].push_back(i);
     std::vector<Vec3d> results(rows.size());
     for (const auto& [group, members] : groups) {
         std::vector<Observation> observations;
@@ -61,7 +62,8 @@ Result<std::vector<Vec3d>> evaluateInGlsl(const std::vector<EvalRow>& rows, Cont
     if (!renderer)
         return renderer.error();
     return evaluateGrouped(rows, [&](const Group& group, const std::vector<Observation>& observations) {
-        return renderer->evaluate(*group.first, group.second, observations);
+        const auto& [model, values, table] = group;
+        return renderer->evaluate(*model, values, observations, table);
     });
 }
 
@@ -73,7 +75,8 @@ Result<std::vector<Vec3d>> evaluateRows(const std::vector<EvalRow>& rows, const 
                                 : options.precision == "simd" ? Precision::Simd
                                                               : Precision::Double;
     return evaluateGrouped(rows, [precision](const Group& group, const std::vector<Observation>& observations) {
-        return Result(evaluate(*group.first, group.second, observations, precision));
+        const auto& [model, values, table] = group;
+        return Result(evaluate(*model, values, observations, precision, lookUpsIn(table.get())));
     });
 }
 

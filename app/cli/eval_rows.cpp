@@ -1,11 +1,11 @@
 #include "app/cli/eval_rows.h"
 
 #include "core/base/text.h"
-#include "core/reflectance/lists.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace reflectance::cli {
 namespace {
@@ -72,21 +72,39 @@ Result<std::vector<ObservedLight>> parseLights(const Fields& fields)
     return lights;
 }
 
-Result<std::vector<double>> parseParams(const Model& model, std::string_view text)
+/// Tables by file name: rows that name the same one share it, so that they are evaluated together.
+using Tables = std::map<std::string, std::shared_ptr<const MeasuredTable>, std::less<>>;
+
+/// "file=PATH" of a table that an earlier row has read.
+const std::shared_ptr<const MeasuredTable>* known(std::string_view assignment, const Tables& tables)
 {
-    ParameterValues values;
-    for (const std::string_view assignment : split(text, ';')) {
-        if (trimmed(assignment).empty())
-            continue;
-        if (const auto set = setParameter(model.text, assignment, values); !set)
-            return bad(Params, set.error().message);
-    }
-    if (const auto agree = checkLists(model.text, values); !agree)
-        return bad(Params, agree.error().message);
-    return flatValues(model.text, values);
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos || trimmed(assignment.substr(0, equals)) != "file")
+        return nullptr;
+    const auto found = tables.find(trimmed(assignment.substr(equals + 1)));
+    return found == tables.end() ? nullptr : &found->second;
 }
 
-Result<EvalRow> parseRow(const Fields& fields)
+Result<Surface> parseSurface(std::string_view model, std::string_view params, Tables& tables)
+{
+    Surface surface;
+    surface.model = model;
+    for (const std::string_view assignment : split(params, ';')) {
+        if (trimmed(assignment).empty())
+            continue;
+        if (const auto* table = known(assignment, tables))
+            surface.table = *table;
+        else if (const auto set = setOnSurface(assignment, surface); !set)
+            return bad(Params, set.error().sentence());
+    }
+    if (!surface.tableFile.empty())
+        tables[surface.tableFile] = surface.table;
+    if (const auto complete = checkSurface(surface); !complete)
+        return bad(Params, complete.error().message);
+    return surface;
+}
+
+Result<EvalRow> parseRow(const Fields& fields, Tables& tables)
 {
     EvalRow row;
     row.id = fields[Id];
@@ -94,10 +112,11 @@ Result<EvalRow> parseRow(const Fields& fields)
     if (!model)
         return bad(ModelId, model.error().message);
     row.model = *model;
-    auto values = parseParams(*row.model, fields[Params]);
-    if (!values)
-        return values.error();
-    row.values = *std::move(values);
+    const auto surface = parseSurface(fields[ModelId], fields[Params], tables);
+    if (!surface)
+        return surface.error();
+    row.values = flatValues(row.model->text, surface->values);
+    row.table = surface->table;
     const auto normal = parseVector(N, fields[N]);
     const auto view = parseVector(V, fields[V]);
     if (!normal)
@@ -141,6 +160,7 @@ Result<EvalRows> parseEvalRows(std::string_view csv, const std::string& file)
     if (!places)
         return places.error();
     EvalRows result;
+    Tables tables;
     for (std::size_t i = 1; i < lines.size(); ++i) {
         if (trimmed(lines[i]).empty())
             continue;
@@ -152,7 +172,8 @@ Result<EvalRows> parseEvalRows(std::string_view csv, const std::string& file)
             complete = complete && (place == absent || place < parts.size());
             fields[c] = place < parts.size() ? parts[place] : std::string_view();
         }
-        auto row = complete ? parseRow(fields) : Result<EvalRow>(Error{"the row has fewer fields than the header"});
+        auto row =
+            complete ? parseRow(fields, tables) : Result<EvalRow>(Error{"the row has fewer fields than the header"});
         if (row)
             result.rows.push_back(*std::move(row));
         else

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/reflectance/catalogue.h"
 #include "core/reflectance/observation.h"
+#include "core/scene/scene.h"
 
 #include <string>
 #include <string_view>
@@ -15,6 +15,7 @@ struct EvalRow {
     std::string id;
     const Model* model = nullptr;
     std::vector<double> values; ///< flat, of the model
+    std::shared_ptr<const MeasuredTable> table; ///< of a model that looks one up
     Observation observation;
 };
 

@@ -17,6 +17,8 @@ struct Options {
     std::string json;
 };
 
+constexpr const char* measurements = "CSV, OpenMATERIAL 3D, MERL, RGL, Cornell, CUReT or Zemax";
+
 /// "colour", "choice: 2 or 8", "list of 5 or 55"
 std::string kindName(const Parameter& p)
 {
@@ -86,6 +88,7 @@ nlohmann::ordered_json described(const ModelText& model)
             {"becomes", limits},
             {"sees_environment", model.usesEnvironment},
             {"sees_light_size", model.usesLightSize},
+            {"needs_file", model.usesTable},
             {"parameters", parameters}};
 }
 
@@ -107,6 +110,8 @@ void printText(const ModelText& model)
     for (const Parameter& p : model.parameters)
         std::cout << "    --set " << p.name << "=...  " << p.label << " (" << kindName(p) << "), "
                   << rangeText(p.legalMin, p.legalMax) << ", default " << numbersText(p.initial) << '\n';
+    if (model.usesTable)
+        std::cout << "    --set file=PATH  a measurement: " << measurements << '\n';
     std::cout << '\n';
 }
 
@@ -119,7 +124,12 @@ void printMarkdown(const ModelText& model)
               << limitsText(model, "\n- Becomes: ")
               << "\n- Sees the environment: " << (model.usesEnvironment ? "yes" : "no")
               << "; sees the size of lights: " << (model.usesLightSize ? "yes" : "no")
-              << "\n\n| parameter | meaning | kind | default | slider | legal | unit | source |\n"
+              << (model.usesTable ? std::string("\n- Needs a measurement, `file=PATH`: ") + measurements : "");
+    if (model.parameters.empty()) {
+        std::cout << '\n';
+        return;
+    }
+    std::cout << "\n\n| parameter | meaning | kind | default | slider | legal | unit | source |\n"
                  "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const Parameter& p : model.parameters)
         std::cout << "| `" << p.name << "` | " << p.label << ". " << p.tooltip << " | " << kindName(p) << " | "

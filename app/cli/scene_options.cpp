@@ -1,7 +1,6 @@
 #include "app/cli/scene_options.h"
 
 #include "core/base/text.h"
-#include "core/reflectance/lists.h"
 #include "core/scene/scene_file.h"
 
 #include <cmath>
@@ -145,12 +144,12 @@ Result<void> setSurface(const SceneOptions& options, Surface& surface)
             return model.error();
         surface.model = options.model;
     }
-    const Model& model = **findModel(surface.model);
     for (const std::string& assignment : options.assignments)
-        if (const auto set = setParameter(model.text, assignment, surface.values); !set)
-            return Error{"--set " + assignment + ": " + set.error().message};
-    if (const auto agree = checkLists(model.text, surface.values); !agree)
-        return Error{"--set: " + agree.error().message};
+        if (const auto set = setOnSurface(assignment, surface); !set)
+            return Error{"--set " + assignment + ": " + set.error().sentence()};
+    if (const auto complete = checkSurface(surface); !complete)
+        return Error{"--set: " + complete.error().message};
+    surface.showHoles = options.showHoles;
     return {};
 }
 
@@ -180,7 +179,8 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options)
         ->capture_default_str();
     verb.add_option("--model", options.model, "reflectance model; 'reflectance models' lists them");
     verb.add_option("--set", options.assignments,
-                    "NAME=VALUE of a model parameter; matrices row by row, numbers parted by commas");
+                    "NAME=VALUE of a model parameter; matrices row by row, numbers parted by commas; file=PATH of a measured table");
+    verb.add_flag("--holes", options.showHoles, "stripes where a measured table has no value, instead of black");
     verb.add_option("--light", options.lights, lightHelp);
     verb.add_option("--camera", options.camera, cameraHelp);
     verb.add_option("--environment", options.environment,

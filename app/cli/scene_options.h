@@ -19,6 +19,7 @@ struct SceneOptions {
     int samples = 4;
     std::string model;
     std::vector<std::string> assignments;
+    bool showHoles = false;
     std::vector<std::string> lights;
     std::string camera;
     std::string environment;

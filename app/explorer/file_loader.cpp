@@ -42,13 +42,25 @@ struct FileLoader::Job {
         return Content(std::move(loaded->mesh));
     }
 
+    /// OpenMATERIAL writes JSON too. What is neither is told about as a scene.
+    [[nodiscard]] Result<Content> readJson() const
+    {
+        auto scene = loadScene(path);
+        if (scene)
+            return asContent(std::move(scene));
+        auto table = loadTable(path);
+        return table ? asContent(std::move(table)) : Result<Content>(scene.error());
+    }
+
     [[nodiscard]] Result<Content> read()
     {
         const std::string ending = lowered(std::filesystem::path(path).extension().string());
         if (ending == ".json")
-            return asContent(loadScene(path));
+            return readJson();
         if (ending == ".exr" || ending == ".hdr")
             return asContent(loadEnvironment(path));
+        if (ending == ".csv" || ending == ".binary" || ending == ".bsdf" || ending == ".brdf" || ending == ".dat")
+            return asContent(loadTable(path));
         return readMesh();
     }
 

@@ -14,8 +14,9 @@
 
 namespace reflectance::explorer {
 
-/// What a file held, told by its ending: .json a scene, .exr and .hdr an environment, all else a mesh.
-using Content = std::variant<std::shared_ptr<const Mesh>, Scene, Environment>;
+/// What a file held, told by its ending: .json a scene (or else a measurement), .exr and .hdr an environment, those of
+/// measurements a table, all else a mesh.
+using Content = std::variant<std::shared_ptr<const Mesh>, Scene, Environment, std::shared_ptr<const MeasuredTable>>;
 
 struct LoadedFile {
     std::string path;

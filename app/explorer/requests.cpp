@@ -157,6 +157,13 @@ struct TakeOver {
         session.state.panels.matrices.clear(); // what a narrower mode hid belongs to the scene before
         session.sceneFile = path;
     }
+    void operator()(std::shared_ptr<const MeasuredTable> table) const
+    {
+        Surface& surface = session.state.scene.surface;
+        surface.model = "table";
+        surface.tableFile = path;
+        surface.table = std::move(table);
+    }
     void operator()(Environment environment) const
     {
         session.state.scene.environment = std::move(environment);

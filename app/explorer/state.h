@@ -39,7 +39,7 @@ struct Request {
         Quit
     };
     Kind kind;
-    /// OpenFile: a mesh, scene or environment, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
+    /// OpenFile: a mesh, scene, environment or measurement, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
     /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
     /// session; OpenFile restores it. SaveText: a name such as "curves.svg", made unique in the pictures folder.
     /// TogglePage: the number of a page of the workbench, from 0.
@@ -139,7 +139,7 @@ struct ExplorerState {
 /// The earlier session that is offered now: the newest that has not been dismissed; null if there is none.
 [[nodiscard]] const EarlierSession* offeredSession(const ExplorerState& state);
 
-/// The scene as it is drawn: solo leaves one light on.
+/// The scene as it is drawn: solo leaves one light on, and holes of a measured table are seen.
 [[nodiscard]] Scene shownScene(const ExplorerState& state);
 
 } // namespace reflectance::explorer

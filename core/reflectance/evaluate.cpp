@@ -10,8 +10,9 @@ namespace {
 /// Collects (row, light) pairs until a block is full, evaluates them in T and adds them to their rows in T.
 template <class T> class PairEvaluator {
 public:
-    PairEvaluator(const Kernel<T>& kernel, std::span<const double> values, std::size_t rows)
-        : kernel_(kernel), values_(values), totals_(rows)
+    PairEvaluator(const Kernel<T>& kernel, std::span<const double> values, const MeasuredSurface<T>& measured,
+                  std::size_t rows)
+        : kernel_(kernel), values_(values), measured_(measured), totals_(rows)
     {
     }
 
@@ -41,7 +42,9 @@ private:
     void flush()
     {
         block_.sum.fill({});
-        kernel_.shade(values_.data(), block_.batch(count_));
+        ShadeBatch<T> batch = block_.batch(count_);
+        batch.measured = measured_;
+        kernel_.shade(values_.data(), batch);
         for (std::size_t i = 0; i < count_; ++i)
             totals_[rows_[i]] += block_.sum[i];
         count_ = 0;
@@ -49,6 +52,7 @@ private:
 
     const Kernel<T>& kernel_;
     std::span<const double> values_;
+    MeasuredSurface<T> measured_;
     std::vector<Vec3<T>> totals_;
     ShadeBlock<T> block_;
     std::array<std::size_t, blockSize> rows_{};
@@ -57,9 +61,9 @@ private:
 
 template <class T>
 std::vector<Vec3d> evaluateWith(const Kernel<T>& kernel, std::span<const double> values,
-                                std::span<const Observation> rows)
+                                std::span<const Observation> rows, const MeasuredSurface<T>& measured)
 {
-    PairEvaluator<T> evaluator(kernel, values, rows.size());
+    PairEvaluator<T> evaluator(kernel, values, measured, rows.size());
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const Vec3d N = normalized(rows[row].N);
         const Vec3d V = normalized(rows[row].V);
@@ -77,13 +81,13 @@ std::vector<Vec3d> evaluateWith(const Kernel<T>& kernel, std::span<const double>
 } // namespace
 
 std::vector<Vec3d> evaluate(const Model& model, std::span<const double> values, std::span<const Observation> rows,
-                            Precision precision)
+                            Precision precision, const MeasuredSurfaces& measured)
 {
     CHECK_EQ(values.size(), model.text.valueCount());
     CHECK_LT(static_cast<int>(precision), static_cast<int>(Precision::Glsl));
     if (precision == Precision::Double)
-        return evaluateWith(model.exact, values, rows);
-    return evaluateWith(precision == Precision::Float ? model.single : model.lanes, values, rows);
+        return evaluateWith(model.exact, values, rows, measured.exact);
+    return evaluateWith(precision == Precision::Float ? model.single : model.lanes, values, rows, measured.single);
 }
 
 } // namespace reflectance

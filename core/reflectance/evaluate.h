@@ -12,8 +12,9 @@ namespace reflectance {
 
 /// The lecture's factor times the light, cosine included, summed over the row's lights; linear and unclamped.
 /// N, L and V are normalised in double and rounded once, then everything runs in the given precision (not Glsl, which
-/// belongs to the GL renderer). A row whose N, L or V has no direction is black.
+/// belongs to the GL renderer). `measured` serves a model that looks a table up. A row whose N, L or V has no direction is black.
 [[nodiscard]] std::vector<Vec3d> evaluate(const Model& model, std::span<const double> values,
-                                          std::span<const Observation> rows, Precision precision);
+                                          std::span<const Observation> rows, Precision precision,
+                                          const MeasuredSurfaces& measured = {});
 
 } // namespace reflectance

@@ -11,6 +11,7 @@ namespace reflectance {
 template <class T> struct Frame {
     T lightDisc{};                  ///< (2 sin(a/2))^2 for the light's angular radius a; 0 for a light without extent
     Surroundings<T> surroundings{}; ///< what a mirror sees
+    MeasuredSurface<T> measured{};  ///< what a table looks up
 
     /// 1 where V lies inside the light's disc about R, else 0. The disc is open: radius 0 contains nothing.
     [[nodiscard]] T insideLight(const Vec3<T>& R, const Vec3<T>& V) const
@@ -20,6 +21,11 @@ template <class T> struct Frame {
     }
 
     [[nodiscard]] Vec3<T> environment(const Vec3<T>& direction) const { return surroundings(direction); }
+
+    [[nodiscard]] Vec3<T> tableAt(const Vec3<T>& N, const Vec3<T>& L, const Vec3<T>& V, const Vec3<T>& I) const
+    {
+        return measured(N, L, V, I);
+    }
 };
 
 } // namespace reflectance

@@ -17,12 +17,39 @@ template <class T> struct Vec3Array {
     [[nodiscard]] Vec3<std::remove_const_t<T>> operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
+/// A measured surface as a function of unit directions: f(L, V) I in 1/sr, 0 in its holes; without a function it is black.
+template <class T> struct MeasuredSurface {
+    Vec3<T> (*lookUp)(const void* table, const Vec3<T>& N, const Vec3<T>& L, const Vec3<T>& V,
+                      const Vec3<T>& I) = nullptr;
+    const void* table = nullptr;
+
+    Vec3<T> operator()(const Vec3<T>& N, const Vec3<T>& L, const Vec3<T>& V, const Vec3<T>& I) const
+    {
+        return lookUp ? lookUp(table, N, L, V, I) : Vec3<T>();
+    }
+};
+
+/// The same surface for every arithmetic.
+struct MeasuredSurfaces {
+    MeasuredSurface<double> exact;
+    MeasuredSurface<float> single;
+
+    template <class T> [[nodiscard]] const MeasuredSurface<T>& in() const
+    {
+        if constexpr (std::is_same_v<T, double>)
+            return exact;
+        else
+            return single;
+    }
+};
+
 /// Unit vectors N, L, V, light I as it arrives at the surface, and the light's disc (see Frame::lightDisc).
 template <class T> struct ShadeBatch {
     std::size_t count = 0;
     Vec3Array<const T> N, L, V, I;
     const T* lightDisc = nullptr;
-    Vec3Array<T> sum; ///< the model's value is added here
+    Vec3Array<T> sum;                 ///< the model's value is added here
+    MeasuredSurface<T> measured = {}; ///< what a table looks up
 };
 
 /// The environment as a function of the direction away from the surface; without a function it is black.

@@ -75,13 +75,40 @@ template <class B> Vec3<B> surroundingsLaneByLane(const void* data, const Vec3<B
     return {B::load_aligned(out[0]), B::load_aligned(out[1]), B::load_aligned(out[2])};
 }
 
+/// Looks each lane up by itself.
+template <class B>
+Vec3<B> measuredLaneByLane(const void* data, const Vec3<B>& N, const Vec3<B>& L, const Vec3<B>& V, const Vec3<B>& I)
+{
+    const auto& scalar = *static_cast<const MeasuredSurface<float>*>(data);
+    alignas(64) float lanes[12][B::size];
+    const Vec3<B>* const vectors[] = {&N, &L, &V, &I};
+    for (std::size_t v = 0; v < 4; ++v) {
+        vectors[v]->x.store_aligned(lanes[3 * v]);
+        vectors[v]->y.store_aligned(lanes[3 * v + 1]);
+        vectors[v]->z.store_aligned(lanes[3 * v + 2]);
+    }
+    for (std::size_t i = 0; i < B::size; ++i) {
+        const auto at = [&](std::size_t v) {
+            return Vec3<float>(lanes[3 * v][i], lanes[3 * v + 1][i], lanes[3 * v + 2][i]);
+        };
+        const Vec3<float> value = scalar(at(0), at(1), at(2), at(3));
+        lanes[0][i] = value.x;
+        lanes[1][i] = value.y;
+        lanes[2][i] = value.z;
+    }
+    return {B::load_aligned(lanes[0]), B::load_aligned(lanes[1]), B::load_aligned(lanes[2])};
+}
+
 template <template <class> class Model, class B> void shadeInLanes(const double* values, const ShadeBatch<float>& batch)
 {
     Model<B> model(values);
+    model.measured = {measuredLaneByLane<B>, &batch.measured};
     std::size_t i = 0;
     for (; i + B::size <= batch.count; i += B::size) {
         model.lightDisc = B::load_unaligned(batch.lightDisc + i);
-        addLanes(batch.sum, i, model.shade(loaded<B>(batch.N, i), loaded<B>(batch.L, i), loaded<B>(batch.V, i), loaded<B>(batch.I, i)));
+        addLanes(
+            batch.sum, i,
+            model.shade(loaded<B>(batch.N, i), loaded<B>(batch.L, i), loaded<B>(batch.V, i), loaded<B>(batch.I, i)));
     }
     if (const std::size_t left = batch.count - i; left > 0) {
         PaddedTail<B::size> tail;
@@ -90,7 +117,8 @@ template <template <class> class Model, class B> void shadeInLanes(const double*
         const auto L = tail.copied(batch.L, i, left);
         const auto V = tail.copied(batch.V, i, left);
         const auto I = tail.copied(batch.I, i, left);
-        addSomeLanes(batch.sum, i, left, model.shade(loaded<B>(N, 0), loaded<B>(L, 0), loaded<B>(V, 0), loaded<B>(I, 0)));
+        addSomeLanes(batch.sum, i, left,
+                     model.shade(loaded<B>(N, 0), loaded<B>(L, 0), loaded<B>(V, 0), loaded<B>(I, 0)));
     }
 }
 

@@ -20,6 +20,7 @@ template <class T> void add(const Vec3Array<T>& sum, std::size_t i, const Vec3<T
 template <template <class> class Model, class T> void shadeOneByOne(const double* values, const ShadeBatch<T>& batch)
 {
     Model<T> model(values);
+    model.measured = batch.measured;
     for (std::size_t i = 0; i < batch.count; ++i) {
         model.lightDisc = batch.lightDisc[i];
         add(batch.sum, i, model.shade(batch.N[i], batch.L[i], batch.V[i], batch.I[i]));

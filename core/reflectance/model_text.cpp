@@ -52,6 +52,7 @@ public:
         if (openUniform_)
             return Error{"uniform declaration without ';'", "shaders/reflectance/" + model_.id + ".glsl", line_};
         model_.usesEnvironment = model_.code.find("vec3 shadeEnvironment(") != std::string::npos;
+        model_.usesTable = model_.code.find("tableAt(") != std::string::npos;
         model_.usesLightSize = model_.code.find("insideLight(") != std::string::npos;
         if (model_.code.find("vec3 shade(") == std::string::npos)
             return Error{"the text defines no vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I)",
@@ -152,7 +153,7 @@ private:
         const std::size_t bracket = parameter.name.find('[');
         if (type == "float" && bracket != std::string::npos) {
             const auto size = parseInteger(split(std::string_view(parameter.name).substr(bracket + 1), ']')[0]);
-            if (!size || *size < 1)
+            if (!size || *size < 1 || *size > 256)
                 return failed("expected: uniform float NAME[COUNT] = float[](NUMBERS);");
             parameter.kind = ParameterKind::List;
             parameter.size = static_cast<std::size_t>(*size);

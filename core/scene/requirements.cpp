@@ -35,6 +35,8 @@ std::string Requirements::key() const
     append(environment, "environment");
     append(environmentBackground, "background");
     append(environmentMap, "map");
+    append(table, "table");
+    append(holes, "holes");
     return text;
 }
 
@@ -48,6 +50,8 @@ Requirements requirementsOf(const Scene& scene)
     r.environment = model.text.usesEnvironment && !isBlack(scene.environment);
     r.environmentBackground = scene.background.kind == BackgroundKind::Environment && !isBlack(scene.environment);
     r.environmentMap = (r.environment || r.environmentBackground) && scene.environment.kind == EnvironmentKind::Map;
+    r.table = model.text.usesTable && scene.surface.table != nullptr;
+    r.holes = r.table && scene.surface.showHoles;
     return r;
 }
 
@@ -57,6 +61,8 @@ std::vector<std::string> leftOut(const Scene& scene)
     std::vector<std::string> notes;
     if (!model.text.usesEnvironment && !isBlack(scene.environment))
         notes.push_back("environment: " + model.text.name + " is lit by the lights alone");
+    if (model.text.usesTable && !scene.surface.table)
+        notes.push_back("surface: no measurement is loaded, so it is black");
     for (const Light& light : scene.lights) {
         if (!light.on)
             notes.push_back("light '" + light.name + "': switched off");

@@ -16,6 +16,8 @@ struct Requirements {
     bool environment = false;    ///< the model looks at it and it is not black
     bool environmentMap = false; ///< the environment (seen by the model or as background) is a picture
     bool environmentBackground = false;
+    bool table = false; ///< the model looks one up, and there is one
+    bool holes = false; ///< of the table, to be shown
 
     friend bool operator==(const Requirements&, const Requirements&) = default;
 

@@ -1,6 +1,8 @@
 #include "core/scene/scene.h"
 
+#include "core/base/text.h"
 #include "core/geometry/load.h"
+#include "core/reflectance/lists.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -64,6 +66,37 @@ std::vector<double> valuesOf(const Scene& scene)
         std::copy(inSensorConvention.begin(), inSensorConvention.end(), K.begin());
     }
     return values;
+}
+
+Result<void> readTableOf(Surface& surface, const std::string& path)
+{
+    auto table = loadTable(path);
+    if (!table)
+        return table.error();
+    surface.table = *std::move(table);
+    surface.tableFile = path;
+    return {};
+}
+
+Result<void> setOnSurface(std::string_view assignment, Surface& surface)
+{
+    const auto model = findModel(surface.model);
+    if (!model)
+        return model.error();
+    const std::size_t equals = std::min(assignment.find('='), assignment.size());
+    if (!(*model)->text.usesTable || trimmed(assignment.substr(0, equals)) != "file")
+        return setParameter((*model)->text, assignment, surface.values);
+    return readTableOf(surface, std::string(trimmed(assignment.substr(std::min(equals + 1, assignment.size())))));
+}
+
+Result<void> checkSurface(const Surface& surface)
+{
+    const auto model = findModel(surface.model);
+    if (!model)
+        return model.error();
+    if ((*model)->text.usesTable && !surface.table)
+        return Error{"the model " + surface.model + " needs a measurement; name its file: file=PATH"};
+    return checkLists((*model)->text, surface.values);
 }
 
 std::vector<Light> shiningLights(const Scene& scene)

@@ -6,6 +6,7 @@
 #include "core/illumination/environment.h"
 #include "core/illumination/light.h"
 #include "core/reflectance/catalogue.h"
+#include "core/scene/measured_table.h"
 #include "core/sensor/sensor.h"
 #include "core/spectra/convention.h"
 
@@ -23,6 +24,9 @@ struct Surface {
     Convention convention = Convention::Sensor; ///< of K, and of the lights' intensities
     /// Primary convention: what sensor i (row) sees of primary j on a perfect white, row by row; not singular.
     std::array<double, 9> W{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+    std::string tableFile = {}; ///< where the table came from; empty without one
+    std::shared_ptr<const MeasuredTable> table = {}; ///< what the model `table` looks up
+    bool showHoles = false; ///< stripes where the table was not measured, instead of black
 
     friend bool operator==(const Surface&, const Surface&) = default;
 };
@@ -57,6 +61,15 @@ struct Scene {
 
 /// The flat parameter values of the scene's model, K in the sensor convention.
 [[nodiscard]] std::vector<double> valuesOf(const Scene& scene);
+
+/// Sets "name=1 2 3" on the surface's model; "file=PATH" reads a measured table. On an error the surface stays as it was.
+[[nodiscard]] Result<void> setOnSurface(std::string_view assignment, Surface& surface);
+
+/// Reads a measured table for the surface. On an error the surface keeps the one it has.
+[[nodiscard]] Result<void> readTableOf(Surface& surface, const std::string& path);
+
+/// Whether the surface has what its model needs: lists that agree with their choice, a table to look up.
+[[nodiscard]] Result<void> checkSurface(const Surface& surface);
 
 /// The lights that are on, as the sensor sees them on a perfect white: with them, ks I is ks W I, and every renderer knows
 /// the sensor convention only.

@@ -100,7 +100,7 @@ bool isGrey(const std::vector<double>& numbers)
     return numbers.size() == 1 || (numbers.size() == 3 && numbers[0] == numbers[1] && numbers[1] == numbers[2]);
 }
 
-Json written(const Surface& surface)
+Json written(const Surface& surface, const std::string& folder)
 {
     Json parameters = Json::object();
     for (const auto& [name, numbers] : surface.values)
@@ -108,6 +108,8 @@ Json written(const Surface& surface)
     Json json{{"model", surface.model}, {"parameters", parameters}, {"convention", nameOf(surface.convention)}};
     if (surface.convention == Convention::Primary)
         json["W"] = surface.W;
+    if (!surface.tableFile.empty())
+        json["file"] = relativeTo(folder, surface.tableFile);
     return json;
 }
 
@@ -168,7 +170,7 @@ void readConvention(ObjectReader& object, Surface& surface)
         object.fail("W is singular; give nine numbers row by row, what each sensor sees of each primary on white");
 }
 
-void readSurface(ObjectReader object, Surface& surface)
+void readSurface(ObjectReader object, Surface& surface, const std::string& folder)
 {
     object.read("model", surface.model);
     const auto model = findModel(surface.model);
@@ -192,6 +194,11 @@ void readSurface(ObjectReader object, Surface& surface)
         if (const auto agree = checkLists(other.text, surface.values); !agree)
             object.fail(agree.error().message);
     readConvention(object, surface);
+    std::string file;
+    object.read("file", file);
+    if (!file.empty())
+        if (const auto read = readTableOf(surface, resolvedIn(folder, file)); !read)
+            object.fail(read.error().sentence());
     object.finish();
 }
 
@@ -217,7 +224,7 @@ void readScene(ObjectReader object, Scene& scene, const std::string& folder)
     object.readList("lights", scene.lights, readLight);
     object.readObject("environment", [&](ObjectReader part) { readEnvironment(part, scene.environment, folder); });
     object.readObject("background", [&](ObjectReader part) { readBackground(part, scene.background); });
-    object.readObject("surface", [&](ObjectReader part) { readSurface(part, scene.surface); });
+    object.readObject("surface", [&](ObjectReader part) { readSurface(part, scene.surface, folder); });
     object.readObject("sensor", [&](ObjectReader part) {
         part.read("exposure", scene.sensor.exposure, -16.0, 16.0);
         part.finish();
@@ -252,7 +259,7 @@ std::string sceneText(const Scene& scene, const std::string& folder)
         {"environment", written(scene.environment, folder)},
         {"background",
          {{"kind", nameOf(backgroundKinds, scene.background.kind)}, {"color", array(scene.background.color)}}},
-        {"surface", written(scene.surface)},
+        {"surface", written(scene.surface, folder)},
         {"sensor", {{"exposure", scene.sensor.exposure}}}};
     // File names need not be UTF-8. Here what is not is replaced; saveScene refuses it.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -290,7 +297,7 @@ Result<Scene> loadScene(const std::string& path)
 
 Result<void> saveScene(const Scene& scene, const std::string& path)
 {
-    for (const std::string& file : {scene.meshFile, scene.environment.file})
+    for (const std::string& file : {scene.meshFile, scene.environment.file, scene.surface.tableFile})
         if (!isUtf8(file))
             return Error{"a scene file cannot name this file, since its name is not UTF-8; rename it", file};
     return writeAtomically(path, sceneText(scene, fs::path(path).parent_path().string()));

@@ -12,6 +12,9 @@ vec3 shadeSample(vec3 N, vec3 P)
 {
     vec3 V = normalize(eye - P);
     vec3 sum = vec3(0.0);
+#ifdef TABLE_HOLES
+    tableHoles = 0.0;
+#endif
 #if defined(DIRECTIONAL_LIGHTS) || defined(POINT_LIGHTS)
     for (int light = 0; light < lightCount; ++light) {
         arrive(light, P);
@@ -20,6 +23,10 @@ vec3 shadeSample(vec3 N, vec3 P)
 #endif
 #ifdef ENVIRONMENT
     sum += shadeEnvironment(N, V);
+#endif
+#ifdef TABLE_HOLES
+    if (tableHoles > 0.0)
+        sum = holeColor(P);
 #endif
     return sum;
 }

@@ -1,5 +1,6 @@
 // Files are read beside the window: results arrive once, cancelled ones never.
 #include "app/explorer/file_loader.h"
+#include "core/measured/write.h"
 #include "core/scene/scene_file.h"
 #include "tests/app/scratch_folder.h"
 
@@ -45,10 +46,25 @@ TEST(FileLoader, ReadsMeshesAndScenesByTheirEnding)
     EXPECT_TRUE(std::holds_alternative<std::shared_ptr<const Mesh>>(*stock->content));
 }
 
+TEST(FileLoader, ReadsMeasurementsFromCsvAndFromJsonThatIsNoScene)
+{
+    const ScratchFolder scratch;
+    Table table;
+    table.axes = {{0.0, 1.0}, {0.0, 1.0}};
+    table.values = {0.1, 0.2, 0.3, 0.4};
+    for (const TableFormat format : {TableFormat::Csv, TableFormat::OpenMaterial}) {
+        const std::string path = (scratch.path / (format == TableFormat::Csv ? "paper.csv" : "paper.json")).string();
+        std::ofstream(path) << bytesOf(format, table);
+        const std::optional<LoadedFile> file = loaded(path);
+        ASSERT_TRUE(file && file->content) << (file ? file->content.error().sentence() : "nothing");
+        EXPECT_EQ(std::get<std::shared_ptr<const MeasuredTable>>(*file->content)->table.samples(), 4U);
+    }
+}
+
 TEST(FileLoader, SaysWhatIsWrongWithAFile)
 {
     const ScratchFolder scratch;
-    for (const char* name : {"broken.obj", "broken.json", "broken.exr", "broken.hdr"}) {
+    for (const char* name : {"broken.obj", "broken.json", "broken.exr", "broken.hdr", "broken.csv", "broken.binary"}) {
         const std::string path = (scratch.path / name).string();
         std::ofstream(path) << "nothing of any use\n";
         const std::optional<LoadedFile> file = loaded(path);

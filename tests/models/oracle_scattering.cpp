@@ -99,7 +99,9 @@ Three koenderink(const Inputs& x)
 
 Formulas scatteringFormulas()
 {
-    return {{"koenderink", {{{"order"}, {"coefficients", 0}}, koenderink}}};
+    // A table without a measurement is black.
+    return {{"koenderink", {{{"order"}, {"coefficients", 0}}, koenderink}}},
+            {"table", {{}, [](const Inputs&) { return Three{}; }}}};
 }
 
 } // namespace reflectance::test

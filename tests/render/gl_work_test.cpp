@@ -11,12 +11,12 @@ namespace {
 
 constexpr RenderSettings small{64, 48, 2};
 
-/// Uploads, visibilities, shadings, developments, links, allocations.
-using Figures = std::array<std::uint64_t, 6>;
+/// Mesh uploads, visibilities, shadings, developments, links, allocations, table uploads.
+using Figures = std::array<std::uint64_t, 7>;
 
 Figures figures(const GlWork& w)
 {
-    return {w.meshUploads, w.visibilities, w.shadings, w.developments, w.programLinks, w.allocations};
+    return {w.meshUploads, w.visibilities, w.shadings, w.developments, w.programLinks, w.allocations, w.tableUploads};
 }
 
 struct Change {

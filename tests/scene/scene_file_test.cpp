@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 
 namespace reflectance {
@@ -89,6 +90,48 @@ TEST(SceneFile, ASmallDifferenceIsADifference) // the planted fault of this suit
     EXPECT_FALSE(equal(*read, scene));
 }
 
+/// A made measurement in a file of the scratch folder; its name.
+std::string writtenTable(const char* name, const std::string& text)
+{
+    std::ofstream(testing::TempDir() + "/" + name) << text;
+    return name;
+}
+
+constexpr const char* paper = "theta_i_deg,theta_r_deg,f\n0,0,0.1\n0,90,0.2\n90,0,0.3\n90,90,0.4\n";
+
+TEST(SceneFile, FindsItsMeasurementFromItsOwnFolder)
+{
+    Scene scene = defaultScene();
+    scene.surface.model = "table";
+    const std::string file = testing::TempDir() + "/" + writtenTable("paper.csv", paper);
+    ASSERT_TRUE(readTableOf(scene.surface, file));
+    const std::string text = sceneText(scene, testing::TempDir());
+    EXPECT_NE(text.find("\"file\": \"paper.csv\""), std::string::npos) << text;
+    const auto read = parseScene(text, "scene.json", testing::TempDir());
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->surface.table->table.values, scene.surface.table->table.values);
+    EXPECT_EQ(read->surface.model, "table");
+}
+
+TEST(SceneFile, AMissingOrDamagedMeasurementIsOneSentenceAndTheLastOneStays)
+{
+    Scene scene = defaultScene();
+    scene.surface.model = "table";
+    ASSERT_TRUE(readTableOf(scene.surface, testing::TempDir() + "/" + writtenTable("paper.csv", paper)));
+    const auto before = scene.surface;
+    writtenTable("damaged.csv", "theta_i_deg,theta_r_deg,f\n0,0,0.1\n0,120,0.2\n");
+    for (const char* name : {"damaged.csv", "missing.csv"}) {
+        const auto read = parseScene(std::string(R"({"surface": {"model": "table", "file": ")") + name + "\"}}",
+                                     "scene.json", testing::TempDir());
+        ASSERT_FALSE(read) << name;
+        EXPECT_NE(read.error().sentence().find(name), std::string::npos) << read.error().sentence();
+        EXPECT_EQ(read.error().sentence().find('\n'), std::string::npos);
+        EXPECT_FALSE(setOnSurface("file=" + testing::TempDir() + "/" + name, scene.surface));
+        EXPECT_EQ(scene.surface.table, before.table);
+        EXPECT_EQ(scene.surface.tableFile, before.tableFile);
+    }
+}
+
 TEST(SceneFile, EmptyObjectIsTheDefaultScene)
 {
     const auto read = parseScene("{}", "scene.json", "");
@@ -127,6 +170,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{R"({"surface": {"model": "lambret"}})", "did you mean 'lambert'"},
                     BadScene{R"({"surface": {"parameters": {"ks": -1}}})", "ks = -1 is out of range"},
                     BadScene{R"({"surface": {"parameters": {"ks": [1, 2]}}})", "takes 1 or 3 numbers, not 2"},
+                    BadScene{R"({"surface": {"parameters": {"order": 8}}})", "order = 8 takes 55"},
                     BadScene{R"({"surface": {"parameters": {"wrong": 1}}})", "no model has a parameter 'wrong'"},
                     BadScene{R"({"surface": {"convention": "camera"}})", "choose one of: sensor, primary"},
                     BadScene{R"({"surface": {"convention": "primary", "W": [1, 2, 3]}})", "nine finite numbers"},

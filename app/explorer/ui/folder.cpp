@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> endings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> endings = {{
     {".obj", "mesh"},
     {".ply", "mesh"},
     {".off", "mesh"},
@@ -21,6 +21,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 7> endings =
     {".json", "scene"},
     {".exr", "environment"},
     {".hdr", "environment"},
+    {".csv", "measurement"},
+    {".binary", "measurement"},
+    {".bsdf", "measurement"},
+    {".brdf", "measurement"},
 }};
 
 FolderEntry entryOf(const fs::directory_entry& file)

@@ -20,7 +20,7 @@ struct FolderEntry {
     friend bool operator==(const FolderEntry&, const FolderEntry&) = default;
 };
 
-/// "mesh", "scene", "environment" by the ending; "" where the program reads no such file.
+/// "mesh", "scene", "environment", "measurement" by the ending; "" where the program reads no such file.
 [[nodiscard]] std::string_view kindOfFile(std::string_view name);
 
 /// Folders first, then files, by name without regard to case; hidden ones are left out, and other kinds of files too

@@ -3,6 +3,7 @@
 #include "app/explorer/ui/card.h"
 #include "app/explorer/ui/formula_view.h"
 #include "app/explorer/ui/parameter_rows.h"
+#include "app/explorer/ui/table_rows.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/base/text.h"
 
@@ -129,6 +130,8 @@ void drawSurfacePanel(ExplorerState& state)
     const ModelText& model = modelOf(state.scene).text;
     drawFormulaBlock(model);
     ImGui::Dummy({0, points(2)});
+    if (model.usesTable)
+        tableRows(state);
     for (const Parameter& parameter : model.parameters)
         parameterRows(model, parameter, state);
     drawKeptValues(model, state.scene.surface.values);

@@ -1,5 +1,7 @@
 #include "core/render/cpu/sample_shader.h"
 
+#include "core/render/cpu/hole_paint.h"
+
 #include <algorithm>
 
 namespace reflectance {
@@ -71,7 +73,8 @@ void intensitiesAt(const Light& light, const std::array<T, blockSize>& distances
 
 template <class T>
 SampleShader<T>::SampleShader(const ViewSamples& samples, const Scene& scene, const Kernel<T>& kernel)
-    : samples_(samples), kernel_(kernel), values_(valuesOf(scene))
+    : samples_(samples), kernel_(kernel), values_(valuesOf(scene)), scene_(scene),
+      measured_(lookUpsIn(scene.surface.table.get()).in<T>()), paintsHoles_(showsHoles(scene))
 {
     for (const Light& light : shiningLights(scene)) {
         if (light.kind == LightKind::Point) {
@@ -103,7 +106,7 @@ template <class T>
 void SampleShader<T>::addLight(const LightColumns& light, std::size_t count, ShadeBlock<T>& block) const
 {
     kernel_.shade(values_.data(), {count, block.N.read(), light.L.read(), block.V.read(), light.I.read(),
-                                   light.lightDisc.data(), block.sum.write()});
+                                   light.lightDisc.data(), block.sum.write(), measured_});
 }
 
 template <class T> void SampleShader<T>::shade(std::size_t first, std::size_t count, ShadeBlock<T>& block) const
@@ -121,6 +124,8 @@ template <class T> void SampleShader<T>::shade(std::size_t first, std::size_t co
     }
     if (surroundings_.radiance != nullptr)
         kernel_.environment(values_.data(), block.environmentBatch(count, surroundings_));
+    if (paintsHoles_)
+        paintHoles(samples_, scene_, first, count, block.sum);
 }
 
 template class SampleShader<double>;

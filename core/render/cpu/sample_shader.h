@@ -32,6 +32,9 @@ private:
     std::vector<double> values_;
     std::vector<LightColumns> directional_;
     std::vector<Light> point_;
+    const Scene& scene_;
+    MeasuredSurface<T> measured_;
+    bool paintsHoles_ = false;
     Surroundings<T> surroundings_; ///< without a function where the model or the scene has no environment
 };
 

@@ -5,6 +5,7 @@
 #include "core/reflectance/observation.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/gl/render_target.h"
+#include "core/render/gl/table_buffer.h"
 
 #include <memory>
 #include <span>
@@ -19,7 +20,8 @@ public:
     /// As reflectance::evaluate: directions are normalised in double and rounded once, then all is float, the sum over
     /// a row's lights too.
     [[nodiscard]] Result<std::vector<Vec3d>> run(const Model& model, std::span<const double> values,
-                                                 std::span<const Observation> rows);
+                                                 std::span<const Observation> rows,
+                                                 const std::shared_ptr<const MeasuredTable>& table);
 
     [[nodiscard]] std::size_t programs() const { return programs_.size(); }
 
@@ -32,6 +34,7 @@ private:
     GlVertexArray noVertices_;
     RenderTarget result_;
     GlTexture inputs_[4];
+    TableBuffer table_;
     GlProgramCache programs_;
 };
 

@@ -71,6 +71,7 @@ struct GlRenderer::State {
     template <class T> [[nodiscard]] Result<T> closed(Result<T> done)
     {
         leaveState(functions->gl());
+        work.tableUploads = shading.tableUploads();
         work.programLinks = 3 + shading.programs() + (evaluation ? evaluation->programs() : 0);
         const auto complaint = functions->complaint();
         return done && !complaint ? Result<T>(complaint.error()) : std::move(done);
@@ -242,13 +243,14 @@ void GlRenderer::finish()
 }
 
 Result<std::vector<Vec3d>> GlRenderer::evaluate(const Model& model, std::span<const double> values,
-                                                std::span<const Observation> rows)
+                                                std::span<const Observation> rows,
+                                                const std::shared_ptr<const MeasuredTable>& table)
 {
     State& s = *state_;
     prepareState(s.functions->gl());
     if (!s.evaluation)
         s.evaluation.emplace(s.functions->gl());
-    return s.closed(s.evaluation->run(model, values, rows));
+    return s.closed(s.evaluation->run(model, values, rows, table));
 }
 
 const GlWork& GlRenderer::work() const

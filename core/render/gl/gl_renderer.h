@@ -20,6 +20,7 @@ namespace reflectance {
 /// How often each kind of work was done since the renderer was made: a parameter drag must only raise `shadings`.
 struct GlWork {
     std::uint64_t meshUploads = 0, visibilities = 0, shadings = 0, developments = 0, programLinks = 0, allocations = 0;
+    std::uint64_t tableUploads = 0;
 };
 
 class GlRenderer {
@@ -41,7 +42,8 @@ public:
 
     /// The model at given directions, in GLSL; same rows as reflectance::evaluate.
     [[nodiscard]] Result<std::vector<Vec3d>> evaluate(const Model& model, std::span<const double> values,
-                                                      std::span<const Observation> rows);
+                                                      std::span<const Observation> rows,
+                                                      const std::shared_ptr<const MeasuredTable>& table = nullptr);
 
     [[nodiscard]] const GlWork& work() const;
     [[nodiscard]] std::string description() const; ///< GL_RENDERER and GL_VERSION

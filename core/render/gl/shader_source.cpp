@@ -66,6 +66,15 @@ ShaderPiece modelCode(const ModelText& model)
     return {"shaders/reflectance/" + model.id + ".glsl", model.code};
 }
 
+std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable)
+{
+    std::vector<ShaderPiece> pieces{shaderFile("prelude.glsl"), parameterDeclarations(model)};
+    if (model.usesTable)
+        pieces.push_back(shaderFile(hasTable ? "measured/lookup.glsl" : "gl/no_table.glsl"));
+    pieces.push_back(modelCode(model));
+    return pieces;
+}
+
 ShaderSource assembled(const std::vector<std::string>& defines, std::vector<ShaderPiece> pieces)
 {
     ShaderSource source;

@@ -31,6 +31,10 @@ struct ShaderSource {
 /// The model's formula.
 [[nodiscard]] ShaderPiece modelCode(const ModelText& model);
 
+/// All that stands before the stage: prelude, parameters, the table's lookup where the model needs one (`hasTable`: there
+/// is one), and the model.
+[[nodiscard]] std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable);
+
 inline constexpr long linesPerFile = 100'000;
 
 /// #version 330 core, the names as #define, then the pieces.

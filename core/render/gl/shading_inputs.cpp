@@ -7,7 +7,9 @@ namespace reflectance {
 ShadingInputs shadingInputsOf(const Scene& scene)
 {
     ShadingInputs inputs{requirementsOf(scene), valuesOf(scene), lightTexels(shiningLights(scene)), scene.environment,
-                         scene.background};
+                         scene.background, nullptr};
+    if (inputs.requirements.table)
+        inputs.table = scene.surface.table;
     const bool seen = inputs.requirements.environment || inputs.requirements.environmentBackground;
     if (!seen) {
         inputs.environment = Environment();

@@ -5,6 +5,7 @@
 #include "core/scene/requirements.h"
 #include "core/scene/scene.h"
 
+#include <memory>
 #include <vector>
 
 namespace reflectance {
@@ -15,6 +16,7 @@ struct ShadingInputs {
     std::vector<float> lights;  ///< see lightTexels
     Environment environment;    ///< None unless required
     Background background;
+    std::shared_ptr<const MeasuredTable> table; ///< null unless required
 
     friend bool operator==(const ShadingInputs&, const ShadingInputs&) = default;
 };

@@ -9,7 +9,7 @@
 namespace reflectance {
 namespace {
 
-enum Unit { Normals, Positions, Lights, Map };
+enum Unit { Normals, Positions, Lights, Map, MeasuredTexels };
 
 std::vector<std::string> definesFor(const Requirements& r)
 {
@@ -23,12 +23,15 @@ std::vector<std::string> definesFor(const Requirements& r)
     define(r.environment, "ENVIRONMENT");
     define(r.environmentBackground, "ENVIRONMENT_BACKGROUND");
     define(r.environmentMap, "ENVIRONMENT_MAP");
+    define(r.holes, "TABLE_HOLES");
     return names;
 }
 
 ShaderSource sourceFor(const Requirements& r, const ModelText& model)
 {
-    std::vector<ShaderPiece> pieces{shaderFile("prelude.glsl"), parameterDeclarations(model), modelCode(model)};
+    std::vector<ShaderPiece> pieces = modelPieces(model, r.table);
+    if (r.holes)
+        pieces.push_back(shaderFile("measured/holes.glsl"));
     if (r.environment || r.environmentBackground) {
         pieces.push_back(shaderFile(r.environmentMap ? "illumination/map.glsl" : "illumination/studio.glsl"));
         pieces.push_back(shaderFile("gl/surroundings.glsl"));
@@ -44,7 +47,8 @@ ShaderSource sourceFor(const Requirements& r, const ModelText& model)
 } // namespace
 
 ShadingPass::ShadingPass(const Gl& gl)
-    : gl_(&gl), linear_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl), lights_(gl), environmentMap_(gl)
+    : gl_(&gl), linear_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl), lights_(gl), environmentMap_(gl),
+      table_(gl)
 {
 }
 
@@ -112,6 +116,9 @@ Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs&
     setLights(program, inputs.lights);
     if (auto set = setEnvironment(program, inputs); !set)
         return set;
+    if (inputs.table)
+        if (auto shown = table_.show(program, inputs.table, Unit::MeasuredTexels); !shown)
+            return shown;
     uploadParameters(program, (*findModel(inputs.requirements.model))->text, inputs.values);
     linear_.bind();
     gl_->BindVertexArray(noVertices_.id());

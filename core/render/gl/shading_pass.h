@@ -7,6 +7,7 @@
 #include "core/render/gl/light_texels.h"
 #include "core/render/gl/render_target.h"
 #include "core/render/gl/shading_inputs.h"
+#include "core/render/gl/table_buffer.h"
 #include "core/render/settings.h"
 
 namespace reflectance {
@@ -24,6 +25,7 @@ public:
     /// RGB: mean linear radiance, A: coverage.
     [[nodiscard]] const RenderTarget& linear() const { return linear_; }
     [[nodiscard]] std::size_t programs() const { return programs_.size(); }
+    [[nodiscard]] std::uint64_t tableUploads() const { return table_.uploads(); }
 
 private:
     [[nodiscard]] Result<const GlProgram*> programFor(const Requirements& requirements);
@@ -35,6 +37,7 @@ private:
     GlVertexArray noVertices_;
     LightBuffer lights_;
     EnvironmentMap environmentMap_;
+    TableBuffer table_;
     GlProgramCache programs_;
     std::vector<float> uploadedLights_;
 };

@@ -1,5 +1,7 @@
 #include "core/study/fit/variables.h"
 
+#include "core/reflectance/lists.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,6 +53,13 @@ void addMatrix(const Parameter& p, bool isGrey, bool whole, std::vector<Variable
                 variableFor(p, p.name + " " + std::to_string(i / 3 + 1) + " " + std::to_string(i % 3 + 1), {i}));
 }
 
+/// One variable for each number that counts.
+void addList(const Parameter& p, const ListForm* form, std::vector<Variable>& variables)
+{
+    for (std::size_t i = 0; form && i < form->names.size(); ++i)
+        variables.push_back(variableFor(p, p.name + " " + form->names[i], {i}));
+}
+
 } // namespace
 
 double Variable::fromValue(double value) const
@@ -82,6 +91,8 @@ std::vector<Variable> variablesOf(const ModelText& model, ObservedForm form, con
             addColor(p, isGrey, variables);
         else if (p.kind == ParameterKind::Matrix)
             addMatrix(p, isGrey, isWhole(p, form, grey), variables);
+        else if (p.kind == ParameterKind::List)
+            addList(p, formOf(model, p, fixed), variables);
     }
     return variables;
 }
@@ -109,11 +120,7 @@ void put(const std::vector<Variable>& variables, const double* u, std::vector<do
 
 ParameterValues namedValues(const ModelText& model, const std::vector<double>& flat)
 {
-    ParameterValues values;
-    for (const Parameter& p : model.parameters)
-        values[p.name].assign(flat.begin() + static_cast<std::ptrdiff_t>(p.offset),
-                              flat.begin() + static_cast<std::ptrdiff_t>(p.offset + p.initial.size()));
-    return values;
+    return valuesByName(model, flat);
 }
 
 } // namespace reflectance
