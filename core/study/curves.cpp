@@ -78,7 +78,7 @@ std::vector<double> inPlane(const NamedSurface& surface, const CurveSettings& se
                                                                     : 1.0 / (pi * L.z);
     std::vector<double> numbers;
     numbers.reserve(rows.size());
-    for (const Vec3d& value : evaluate(*surface.model, surface.values, rows, Precision::Double))
+    for (const Vec3d& value : evaluate(*surface.model, surface.values, rows, Precision::Double, surface.measured))
         numbers.push_back(unit * numberOf(value, settings.shown));
     return numbers;
 }

@@ -26,6 +26,7 @@ struct NamedSurface {
     ChartColor color = 0;
     const Model* model = nullptr;
     std::vector<double> values; ///< the model's flat list
+    MeasuredSurfaces measured = {}; ///< of a model that looks a table up; who names it keeps it alive
 };
 
 struct CurveSettings {

@@ -101,7 +101,8 @@ std::vector<NamedSurface> shownSurfaces(const ExplorerState& state)
     std::vector<NamedSurface> surfaces;
     const auto add = [&](const Model& model) {
         surfaces.push_back({model.text.name, seriesColor(surfaces.size()), &model,
-                            flatValues(model.text, state.scene.surface.values)});
+                            flatValues(model.text, state.scene.surface.values),
+                            lookUpsIn(state.scene.surface.table.get())});
     };
     add(modelOf(state.scene));
     for (const std::string& id : state.curves.overlays)
