@@ -62,6 +62,7 @@ int run(int argc, char** argv)
     addRender(program, exitCode);
     addEval(program, exitCode);
     addModels(program, exitCode);
+    addSurfaces(program, exitCode);
     addInspect(program, exitCode);
     addCompare(program, exitCode);
     addExtremes(program, exitCode);

@@ -1,6 +1,7 @@
 #include "app/cli/scene_options.h"
 
 #include "core/base/text.h"
+#include "core/scene/library_surface.h"
 #include "core/scene/scene_file.h"
 
 #include <cmath>
@@ -138,6 +139,12 @@ Result<Scene> openInput(const std::string& input, bool smooth)
 
 Result<void> setSurface(const SceneOptions& options, Surface& surface)
 {
+    if (!options.surface.empty()) {
+        const auto found = findSurface(options.surface);
+        if (!found)
+            return Error{"--surface: " + found.error().message};
+        applySurface(**found, surface);
+    }
     if (!options.model.empty()) {
         const auto model = findModel(options.model);
         if (!model)
@@ -177,6 +184,9 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options)
     verb.add_option("--size", options.size, "WxH in pixels");
     verb.add_option("--samples", options.samples, "samples per pixel: 1, 4, 9, 16, 25, 36, 49 or 64")
         ->capture_default_str();
+    verb.add_option("--surface", options.surface,
+                    "a surface of the library, by id or name: its model and parameters; 'reflectance surfaces' lists "
+                    "them; --model and --set come after it");
     verb.add_option("--model", options.model, "reflectance model; 'reflectance models' lists them");
     verb.add_option("--set", options.assignments,
                     "NAME=VALUE of a model parameter; matrices row by row, numbers parted by commas; file=PATH of a measured table");

@@ -17,6 +17,7 @@ struct SceneOptions {
     bool smooth = false; ///< normals computed anew
     std::string size;
     int samples = 4;
+    std::string surface; ///< of the library; empty: none
     std::string model;
     std::vector<std::string> assignments;
     bool showHoles = false;

@@ -17,6 +17,7 @@ int refused(const Error& error, int exitCode = BadInput);
 void addRender(CLI::App& program, int& exitCode);
 void addEval(CLI::App& program, int& exitCode);
 void addModels(CLI::App& program, int& exitCode);
+void addSurfaces(CLI::App& program, int& exitCode);
 void addInspect(CLI::App& program, int& exitCode);
 void addCompare(CLI::App& program, int& exitCode);
 void addExtremes(CLI::App& program, int& exitCode);

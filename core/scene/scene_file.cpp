@@ -5,6 +5,7 @@
 #include "core/geometry/load.h"
 #include "core/reflectance/lists.h"
 #include "core/scene/json_reader.h"
+#include "core/scene/library_surface.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -172,6 +173,14 @@ void readConvention(ObjectReader& object, Surface& surface)
 
 void readSurface(ObjectReader object, Surface& surface, const std::string& folder)
 {
+    std::string library;
+    object.read("library", library);
+    if (!library.empty()) {
+        const auto found = findSurface(library);
+        if (!found)
+            return object.fail(found.error().message);
+        applySurface(**found, surface);
+    }
     object.read("model", surface.model);
     const auto model = findModel(surface.model);
     if (!model)

@@ -53,6 +53,19 @@ TEST(SceneFile, ReadsBackWhatItWroteBitForBit)
     EXPECT_EQ(read->mesh->triangles.size(), scene.mesh->triangles.size());
 }
 
+TEST(SceneFile, TakesASurfaceOfTheLibraryAndWhatStandsBesideItComesAfter)
+{
+    const auto read = parseScene(
+        R"({"surface": {"library": "curet_oren_nayar/velvet", "parameters": {"rho": 0.5}}})", "scene.json", "");
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->surface.model, "oren_nayar");
+    EXPECT_EQ(read->surface.values.at("sigma"), std::vector<double>{1.4});
+    EXPECT_EQ(read->surface.values.at("rho"), (std::vector<double>{0.5, 0.5, 0.5}));
+    const auto unknown = parseScene(R"({"surface": {"library": "velvt"}})", "scene.json", "");
+    ASSERT_FALSE(unknown);
+    EXPECT_NE(unknown.error().message.find("'velvet'"), std::string::npos) << unknown.error().message;
+}
+
 TEST(SceneFile, NamesAMeshSoThatItIsFoundFromAnyFolder)
 {
     Scene scene = defaultScene();

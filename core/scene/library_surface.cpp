@@ -1,0 +1,13 @@
+#include "core/scene/library_surface.h"
+
+#include <utility>
+
+namespace reflectance {
+
+void applySurface(const LibrarySurface& from, Surface& surface)
+{
+    surface.model = from.group->model;
+    surface.values = withSurface(from, std::move(surface.values));
+}
+
+} // namespace reflectance
