@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -34,24 +33,6 @@ LightBudget budgetOf(const LibrarySurface& surface, BudgetMeter& meter)
     return meter.budgetOf(modelOf(surface), flatValues(modelOf(surface).text, surface.values));
 }
 
-/// A diagonal matrix by its diagonal, equal channels by one number; long lists by their length.
-std::string numbersText(const std::vector<double>& numbers)
-{
-    std::vector<double> shown = numbers;
-    const auto offDiagonal = [&](std::size_t i) { return numbers[i] != 0.0; };
-    constexpr std::array<std::size_t, 6> places{1, 2, 3, 5, 6, 7};
-    if (numbers.size() == 9 && std::none_of(places.begin(), places.end(), offDiagonal))
-        shown = {numbers[0], numbers[4], numbers[8]};
-    if (shown.size() == 3 && shown[0] == shown[1] && shown[1] == shown[2])
-        shown.resize(1);
-    if (shown.size() > 5)
-        return std::to_string(shown.size()) + " numbers";
-    std::vector<std::string> texts;
-    for (const double number : shown)
-        texts.push_back(general(number, 6));
-    return joined(texts, " ");
-}
-
 void printGroup(const SurfaceGroup& group)
 {
     std::cout << (group.id + "  -  " + group.name + "\n    model: " + group.model + "\n    source: " + group.source +
@@ -62,7 +43,7 @@ void printSurface(const LibrarySurface& surface, const LightBudget& budget)
 {
     std::vector<std::string> pieces;
     for (const auto& [name, numbers] : surface.values)
-        pieces.push_back(name + "=" + numbersText(numbers));
+        pieces.push_back(name + "=" + inBrief(numbers));
     for (const SurfaceFact& fact : surface.facts)
         pieces.push_back(fact.name + ": " + fact.text);
     std::cout << "    " << surface.id << "\n        " << joined(pieces, "  ") << "\n        "

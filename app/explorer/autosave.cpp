@@ -18,7 +18,7 @@ bool same(const Scene& a, const Scene& b)
 {
     return a.meshFile == b.meshFile && a.recomputeNormals == b.recomputeNormals && a.camera == b.camera &&
            a.lights == b.lights && a.environment == b.environment && a.background == b.background &&
-           a.surface == b.surface && a.sensor == b.sensor;
+           a.surface == b.surface && a.other == b.other && a.sensor == b.sensor;
 }
 
 std::chrono::seconds ageOf(const fs::path& file)

@@ -1,10 +1,12 @@
 #include "app/explorer/explorer.h"
 
+#include "app/explorer/differences.h"
 #include "app/explorer/frame_pace.h"
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
 #include "app/explorer/requests.h"
+#include "app/explorer/thumbnails.h"
 #include "app/explorer/session.h"
 #include "app/explorer/trust_view.h"
 #include "app/explorer/ui/ui.h"
@@ -106,7 +108,8 @@ void drawInterface(Session& session)
     ImGui::End();
     drawSplitter(state, layout.splitter, width, scale);
     beginArea("##view", layout.picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
-    drawViewport(state, session.viewport, session.renderer, layout.picture, session.window.pixelsPerPoint(), scale);
+    drawViewport(state, session.viewport, session.renderer, session.second, layout.picture,
+                 session.window.pixelsPerPoint(), scale);
     drawTrust(session, layout.picture);
     ImGui::End();
     drawBench(state, layout, scale);
@@ -180,6 +183,8 @@ void drawOnce(Session& session)
     saveAskedWindowPicture(session);
     session.window.showFrame();
     pollPrices(session);
+    pollDifference(session);
+    pollThumbnails(session);
     serveRequests(session);
     pollFiles(session);
     tryNextHazard(session);
@@ -197,7 +202,7 @@ Reasons reasonsOf(const Session& session)
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),
-        .untilPrices = secondsUntilPrices(session),
+        .untilPrices = std::min(secondsUntilPrices(session), secondsUntilDifference(session)),
         .untilAutosave = session.autosave.secondsUntilWrite(Clock::now()),
     };
 }

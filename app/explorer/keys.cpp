@@ -22,10 +22,20 @@ void nextModel(ExplorerState& state, int step)
 {
     const std::vector<Model>& models = catalogue();
     const auto count = static_cast<int>(models.size());
-    const auto here = std::find_if(models.begin(), models.end(),
-                                   [&](const Model& model) { return model.id() == state.scene.surface.model; });
+    Surface& surface = surfaceInHand(state.compare, state.scene);
+    const auto here =
+        std::find_if(models.begin(), models.end(), [&](const Model& model) { return model.id() == surface.model; });
     const int next = (static_cast<int>(here - models.begin()) + step + count) % count;
-    state.scene.surface.model = models[static_cast<std::size_t>(next)].id();
+    surface.model = models[static_cast<std::size_t>(next)].id();
+}
+
+void showClayOrPutItAway(ExplorerState& state)
+{
+    toggleClay(state.compare, state.scene);
+    state.selectedLight = state.scene.lights.empty() ? -1 : 0;
+    state.soloLight = -1;
+    if (state.compare.beforeClay)
+        request(state, Kind::Frame); // half the window is narrower
 }
 
 void selectLight(ExplorerState& state, int index)
@@ -91,6 +101,12 @@ void pressAlone(const KeyPress& key, ExplorerState& state)
         state.preferences.showLightHandles = !state.preferences.showLightHandles;
     else if (key.key == "l")
         pressLens(state, key.shift);
+    else if (key.key == "c")
+        toggleCompare(state.compare, state.scene);
+    else if (key.key == "x" && state.compare.on)
+        state.compare.handOnB = !state.compare.handOnB;
+    else if (key.key == "b")
+        showClayOrPutItAway(state);
     else if (key.key == "m")
         nextModel(state, key.shift ? -1 : 1);
     else if (key.key.size() == 1 && key.key[0] >= '1' && key.key[0] <= '9')

@@ -46,6 +46,7 @@ void resetScene(Session& session)
     fresh.meshFile = session.state.scene.meshFile;
     fresh.recomputeNormals = session.state.scene.recomputeNormals;
     session.state.scene = std::move(fresh);
+    session.state.compare = CompareView();
     session.state.selectedLight = 0;
     session.state.soloLight = -1;
     resetView(session);
@@ -152,6 +153,8 @@ struct TakeOver {
     void operator()(Scene scene) const
     {
         session.state.scene = std::move(scene);
+        session.state.compare = CompareView();
+        session.state.compare.on = session.state.scene.other.has_value();
         session.state.selectedLight = session.state.scene.lights.empty() ? -1 : 0;
         session.state.soloLight = -1;
         session.state.panels.matrices.clear(); // what a narrower mode hid belongs to the scene before

@@ -5,6 +5,7 @@
 #include "app/explorer/background.h"
 #include "app/explorer/file_loader.h"
 #include "app/explorer/measured_prices.h"
+#include "app/explorer/second_view.h"
 #include "app/explorer/state.h"
 #include "app/explorer/trust.h"
 #include "app/explorer/user_folders.h"
@@ -13,6 +14,7 @@
 #include "core/render/gl/gl_renderer.h"
 
 #include <deque>
+#include <map>
 #include <string>
 
 namespace reflectance::explorer {
@@ -24,9 +26,13 @@ struct Session {
     GlRenderer& renderer;
     ExplorerState state;
     Viewport viewport;
+    SecondView second{Window::loader(), Window::wake};
     FileLoader loader{Window::wake};
     Background<Prices> prices{Window::wake};
     Trust trust{Window::wake};
+    Background<std::vector<Thumbnail>> thumbnails{Window::wake};
+    std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
+    Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
     Autosave autosave{stateFolder()};
 
     std::deque<std::string> toOpen;           ///< files that wait for the one being read

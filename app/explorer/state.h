@@ -3,7 +3,9 @@
 #pragma once
 
 #include "app/explorer/exhibition.h"
+#include "app/explorer/comparison.h"
 #include "app/explorer/extremes_study.h"
+#include "app/explorer/surface_shelf.h"
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
@@ -99,6 +101,8 @@ struct ColourPage {
 
 struct ExplorerState {
     Scene scene;
+    CompareView compare;
+    SurfaceShelf shelf;
     int selectedLight = 0; ///< index into scene.lights, -1 for none
     int soloLight = -1;    ///< only this light shines; -1 for all
     bool turntable = false;

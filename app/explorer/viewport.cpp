@@ -1,5 +1,7 @@
 #include "app/explorer/viewport.h"
 
+#include "app/explorer/ui/compare_overlay.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -86,28 +88,30 @@ RenderSettings settingsFor(const ExplorerState& state, Viewport& viewport)
     }
     const bool moving =
         state.turntable || viewport.stroke.movesCamera() || now - viewport.cameraMoved < restBeforeRefining(viewport);
-    const bool shading = viewport.stroke.movesLight() || ImGui::IsAnyItemActive();
+    const bool shading = viewport.stroke.movesLight() || (ImGui::IsAnyItemActive() && !state.compare.holdsDivider);
     const bool coarse = moving || (shading && viewport.fullMilliseconds > smoothMilliseconds);
     viewport.refinementOwed = coarse && state.preferences.samplesPerAxis > 1;
     return {viewport.view.size.width, viewport.view.size.height, coarse ? 1 : state.preferences.samplesPerAxis};
 }
 
-std::uint64_t picturesOf(const GlRenderer& renderer)
+std::uint64_t picturesOf(const GlRenderer& renderer, const SecondView& second)
 {
-    return renderer.work().shadings + renderer.work().developments;
+    return renderer.work().shadings + renderer.work().developments + second.pictures();
 }
 
-void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer)
+void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second)
 {
     viewport.settings = settingsFor(state, viewport);
-    const std::uint64_t before = picturesOf(renderer);
+    const std::uint64_t before = picturesOf(renderer, second);
     const Clock::time_point start = Clock::now();
-    const Result<void> rendered = renderer.render(shownScene(state), viewport.settings);
+    Result<void> rendered = renderer.render(shownScene(state), viewport.settings);
+    if (rendered && state.compare.on)
+        rendered = second.render(variantB(shownScene(state)), viewport.settings);
     if (!rendered) {
         state.message = Message{rendered.error().sentence(), true};
         return;
     }
-    if (picturesOf(renderer) == before)
+    if (picturesOf(renderer, second) == before)
         return;
     renderer.finish();
     state.frameMilliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -135,6 +139,64 @@ void drawLoading(ExplorerState& state, const Area& area, float scale)
     ImGui::EndChild();
 }
 
+/// The part of a picture of `whole` that lies in `part`.
+void drawTexture(ImDrawList& canvas, unsigned texture, const Area& whole, const Area& part, bool rowsFromTop)
+{
+    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+    // Row 0 of a picture that GL drew is its lowest.
+    const float top = rowsFromTop ? 0.0F : 1.0F;
+    canvas.PushClipRect({part.x, part.y}, {part.right(), part.bottom()}, true);
+    canvas.AddImage(id, {whole.x, whole.y}, {whole.right(), whole.bottom()}, {0.0F, top}, {1.0F, 1.0F - top});
+    canvas.PopClipRect();
+}
+
+/// What lies over A's picture, where A is seen.
+void drawOverlay(ImDrawList& canvas, const CompareView& compare, unsigned overlay, const Panes& panes)
+{
+    const bool showsA = !compare.on || compare.mode == CompareMode::SideBySide || compare.mode == CompareMode::Wipe ||
+                        (compare.mode == CompareMode::Flip && !compare.handOnB);
+    if (overlay == 0 || !showsA)
+        return;
+    Area part = panes.a;
+    if (compare.on && compare.mode == CompareMode::Wipe)
+        part.width *= compare.divider;
+    drawTexture(canvas, overlay, panes.a, part, true);
+}
+
+void drawPictures(ImDrawList& canvas, const CompareView& compare, const GlRenderer& renderer, const SecondView& second,
+                  const Area& area, const Panes& panes)
+{
+    const unsigned a = renderer.developedTexture();
+    const unsigned b = compare.on && second.renderer ? second.renderer->developedTexture() : a;
+    if (compare.on && compare.mode == CompareMode::Difference && second.map.id() != 0)
+        return drawTexture(canvas, second.map.id(), area, area, true);
+    if (compare.on && compare.mode == CompareMode::Flip)
+        return drawTexture(canvas, compare.handOnB ? b : a, area, area, false);
+    drawTexture(canvas, a, panes.a, panes.a, false);
+    if (!compare.on)
+        return;
+    Area part = panes.b;
+    if (compare.mode == CompareMode::Wipe) {
+        part.x = area.x + compare.divider * area.width;
+        part.width = area.right() - part.x;
+    }
+    drawTexture(canvas, b, panes.b, part, false);
+}
+
+/// The handles in every pane, for the hand may take one in either.
+void drawHandles(ImDrawList& canvas, const ExplorerState& state, const Viewport& viewport, const Panes& panes, int held)
+{
+    for (const Area* pane : {&panes.a, &panes.b}) {
+        PictureView view = viewport.view;
+        view.x = pane->x;
+        canvas.PushClipRect({pane->x, pane->y}, {pane->right(), pane->bottom()}, true);
+        drawLightHandles(canvas, state, view, viewport.hoveredLight, held);
+        canvas.PopClipRect();
+        if (panes.a.x == panes.b.x)
+            return;
+    }
+}
+
 void setCursorShape(const Viewport& viewport)
 {
     if (viewport.stroke.movesLight() || viewport.hoveredLight >= 0)
@@ -151,35 +213,35 @@ Clock::duration restBeforeRefining(const Viewport& viewport)
     return std::chrono::duration_cast<Clock::duration>(rest);
 }
 
-void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, const Area& area,
+void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, const Area& area,
                   float pixelsPerPoint, float scale)
 {
     const auto pixels = [pixelsPerPoint](float points) {
         return std::max(1, static_cast<int>(std::lround(points * pixelsPerPoint)));
     };
-    viewport.view = {area.x, area.y, {pixels(area.width), pixels(area.height)}, pixelsPerPoint, scale};
+    const Panes panes = panesOf(state.compare, area, scale);
+    const bool onB = viewport.dragging() ? viewport.view.x == panes.b.x : ImGui::GetIO().MousePos.x >= panes.b.x;
+    viewport.view = {
+        onB ? panes.b.x : panes.a.x, area.y, {pixels(panes.a.width), pixels(area.height)}, pixelsPerPoint, scale};
     ImGui::SetCursorScreenPos({area.x, area.y});
     ImGui::SetItemAllowOverlap();
     ImGui::InvisibleButton("##picture", {std::max(1.0F, area.width), std::max(1.0F, area.height)},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     handleMouse(state, viewport);
-    render(state, viewport, renderer);
+    render(state, viewport, renderer, second);
 
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
-    const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer.developedTexture()));
-    // Row 0 of the texture is the picture's lowest.
-    canvas.AddImage(texture, {area.x, area.y}, {area.right(), area.bottom()}, {0.0F, 1.0F}, {1.0F, 0.0F});
-    if (viewport.overlay != 0)
-        canvas.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(viewport.overlay)), {area.x, area.y},
-                        {area.right(), area.bottom()});
+    drawPictures(canvas, state.compare, renderer, second, area, panes);
+    drawOverlay(canvas, state.compare, viewport.overlay, panes);
     const int held = viewport.stroke.movesLight() ? viewport.stroke.light : -1;
     if (state.preferences.showLightHandles || held >= 0)
-        drawLightHandles(canvas, state, viewport.view, viewport.hoveredLight, held);
+        drawHandles(canvas, state, viewport, panes, held);
     const int told = held >= 0 ? held : viewport.hoveredLight;
     if (told >= 0 && told < static_cast<int>(state.scene.lights.size()))
         showLightTooltip(state, told);
     setCursorShape(viewport);
+    drawCompareOverlay(state, area, panes);
     drawLoading(state, area, scale);
 }
 

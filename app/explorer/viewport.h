@@ -3,6 +3,7 @@
 
 #include "app/explorer/layout.h"
 #include "app/explorer/light_handles.h"
+#include "app/explorer/second_view.h"
 #include "core/render/gl/gl_renderer.h"
 
 #include <chrono>
@@ -12,7 +13,7 @@ namespace reflectance::explorer {
 using Clock = std::chrono::steady_clock;
 
 struct Viewport {
-    PictureView view;
+    PictureView view; ///< side by side: of the half that the mouse was on
     Stroke stroke;
     MouseButton button = MouseButton::Left; ///< that the stroke began with
     int hoveredLight = -1;
@@ -34,7 +35,7 @@ struct Viewport {
 [[nodiscard]] Clock::duration restBeforeRefining(const Viewport& viewport);
 
 /// Draws the picture, the handles and what the hand does, into an ImGui window over `area`.
-void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, const Area& area,
+void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, const Area& area,
                   float pixelsPerPoint, float scale);
 
 /// Brings the picture up to date with all its samples, whatever the hand is doing: for saving it.

@@ -6,7 +6,7 @@
 
 namespace reflectance {
 
-/// Takes the model and the values of a library surface; what other models keep stays.
+/// Takes the model and the values of a library surface, in the sensor convention; what other models keep stays.
 void applySurface(const LibrarySurface& from, Surface& surface);
 
 } // namespace reflectance

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <iterator>
 #include <span>
+#include <utility>
 
 namespace reflectance {
 
@@ -44,11 +45,23 @@ Mat3d matrixOf(std::span<const double> rowByRow)
 }
 
 } // namespace
+const Model& modelOf(const Surface& surface)
+{
+    const auto model = findModel(surface.model);
+    return model ? **model : catalogue().front();
+}
+
+Scene variantB(Scene scene)
+{
+    if (scene.other)
+        scene.surface = *std::move(scene.other);
+    scene.other.reset();
+    return scene;
+}
 
 const Model& modelOf(const Scene& scene)
 {
-    const auto model = findModel(scene.surface.model);
-    return model ? **model : catalogue().front();
+    return modelOf(scene.surface);
 }
 
 std::vector<double> valuesOf(const Scene& scene)

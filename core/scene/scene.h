@@ -12,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,12 +50,19 @@ struct Scene {
     std::vector<Light> lights;
     Environment environment;
     Background background;
-    Surface surface;
+    Surface surface;              ///< A, where two variants are compared
+    std::optional<Surface> other; ///< B; everything else A and B share
     Sensor sensor;
 };
 
 /// The clay mug under two lights, as the explorer opens it. The mesh is embedded in the program.
 [[nodiscard]] Scene defaultScene();
+
+/// The surface's model; an id that nothing has is taken for the first.
+[[nodiscard]] const Model& modelOf(const Surface& surface);
+
+/// The scene with B in A's place; as it is where there is no B.
+[[nodiscard]] Scene variantB(Scene scene);
 
 /// The scene's model; its id has been checked when it was set.
 [[nodiscard]] const Model& modelOf(const Scene& scene);

@@ -234,6 +234,7 @@ void readScene(ObjectReader object, Scene& scene, const std::string& folder)
     object.readObject("environment", [&](ObjectReader part) { readEnvironment(part, scene.environment, folder); });
     object.readObject("background", [&](ObjectReader part) { readBackground(part, scene.background); });
     object.readObject("surface", [&](ObjectReader part) { readSurface(part, scene.surface, folder); });
+    object.readObject("compare", [&](ObjectReader part) { readSurface(part, scene.other.emplace(), folder); });
     object.readObject("sensor", [&](ObjectReader part) {
         part.read("exposure", scene.sensor.exposure, -16.0, 16.0);
         part.finish();
@@ -255,21 +256,22 @@ std::string sceneText(const Scene& scene, const std::string& folder)
     Json lights = Json::array();
     for (const Light& light : scene.lights)
         lights.push_back(written(light));
-    const Json json{
-        {"reflectance_scene", sceneFormatVersion},
-        {"mesh", isStockMesh(scene.meshFile) ? scene.meshFile : relativeTo(folder, scene.meshFile)},
-        {"smooth_normals", scene.recomputeNormals},
-        {"camera",
-         {{"eye", array(scene.camera.eye)},
-          {"target", array(scene.camera.target)},
-          {"up", array(scene.camera.up)},
-          {"field_of_view", scene.camera.fieldOfView}}},
-        {"lights", lights},
-        {"environment", written(scene.environment, folder)},
-        {"background",
-         {{"kind", nameOf(backgroundKinds, scene.background.kind)}, {"color", array(scene.background.color)}}},
-        {"surface", written(scene.surface, folder)},
-        {"sensor", {{"exposure", scene.sensor.exposure}}}};
+    Json json{{"reflectance_scene", sceneFormatVersion},
+              {"mesh", isStockMesh(scene.meshFile) ? scene.meshFile : relativeTo(folder, scene.meshFile)},
+              {"smooth_normals", scene.recomputeNormals},
+              {"camera",
+               {{"eye", array(scene.camera.eye)},
+                {"target", array(scene.camera.target)},
+                {"up", array(scene.camera.up)},
+                {"field_of_view", scene.camera.fieldOfView}}},
+              {"lights", lights},
+              {"environment", written(scene.environment, folder)},
+              {"background",
+               {{"kind", nameOf(backgroundKinds, scene.background.kind)}, {"color", array(scene.background.color)}}},
+              {"surface", written(scene.surface, folder)},
+              {"sensor", {{"exposure", scene.sensor.exposure}}}};
+    if (scene.other)
+        json["compare"] = written(*scene.other, folder);
     // File names need not be UTF-8. Here what is not is replaced; saveScene refuses it.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

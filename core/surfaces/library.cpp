@@ -5,6 +5,7 @@
 #include "core/surfaces/group_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iostream>
 
@@ -104,6 +105,23 @@ ParameterValues withSurface(const LibrarySurface& surface, ParameterValues value
     for (const auto& [name, numbers] : surface.values)
         values[name] = numbers;
     return values;
+}
+
+std::string inBrief(const std::vector<double>& numbers)
+{
+    constexpr std::array<std::size_t, 6> offDiagonal{1, 2, 3, 5, 6, 7};
+    std::vector<double> shown = numbers;
+    if (numbers.size() == 9 &&
+        std::all_of(offDiagonal.begin(), offDiagonal.end(), [&](std::size_t i) { return numbers[i] == 0.0; }))
+        shown = {numbers[0], numbers[4], numbers[8]};
+    if (shown.size() == 3 && shown[0] == shown[1] && shown[1] == shown[2])
+        shown.resize(1);
+    if (shown.size() > 9)
+        return std::to_string(shown.size()) + " numbers";
+    std::vector<std::string> texts;
+    for (const double number : shown)
+        texts.push_back(general(number, 6));
+    return joined(texts, " ");
 }
 
 bool isSurface(const LibrarySurface& surface, const ParameterValues& values)

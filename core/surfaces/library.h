@@ -51,6 +51,10 @@ struct LibrarySurface {
 /// what other models keep.
 [[nodiscard]] ParameterValues withSurface(const LibrarySurface& surface, ParameterValues values);
 
+/// A parameter's numbers for people: a diagonal matrix by its diagonal, equal channels by one number, a long list by its
+/// length.
+[[nodiscard]] std::string inBrief(const std::vector<double>& numbers);
+
 /// True where the values are those that the surface gives.
 [[nodiscard]] bool isSurface(const LibrarySurface& surface, const ParameterValues& values);
 

@@ -183,6 +183,29 @@ def restores_what_a_killed_program_left(program, display, home):
         explorer.process.kill()
 
 
+def compares_clay(program, display, home):
+    scene_file = home / "scene.json"
+    scene_file.write_text(json.dumps(SCENE))
+    explorer = Explorer(program, display, home, str(scene_file), "sphere")
+    try:
+        explorer.xdotool("mousemove", *PICTURE_MIDDLE)
+        before = explorer.saved_scene(scene_file)
+        check("compare" not in before, "nothing is compared at first")
+        explorer.xdotool("key", "b")
+        clay = explorer.saved_scene(scene_file)
+        check([clay["surface"]["model"], clay["compare"]["model"]] == ["lambert_color", "oren_nayar"],
+              "one key shows Lambert beside Oren-Nayar, and the scene file keeps both")
+        explorer.xdotool("key", "x", "m")
+        changed = explorer.saved_scene(scene_file)
+        check(changed["surface"] == clay["surface"] and changed["compare"] != clay["compare"], "the hand on B leaves A alone")
+        explorer.file_after("ctrl+F12", ".png")
+        explorer.xdotool("key", "b")
+        check(explorer.saved_scene(scene_file) == before, "the same key brings back what was there")
+        explorer.quit()
+    finally:
+        explorer.process.kill()
+
+
 def survives_a_broken_mesh(program, display, home):
     broken = home / "broken.obj"
     broken.write_text("v 0 0\nf 1 2 3\n")
@@ -201,6 +224,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder, Display() as display:
         for name, test in (("drag", lambda home: drags_a_light(program, brightest, display, home)),
                            ("killed", lambda home: restores_what_a_killed_program_left(program, display, home)),
+                           ("clay", lambda home: compares_clay(program, display, home)),
                            ("broken", lambda home: survives_a_broken_mesh(program, display, home))):
             home = pathlib.Path(folder) / name
             home.mkdir()

@@ -31,6 +31,7 @@ Scene unusualScene()
     scene.surface.values["K"] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, -0.9};
     scene.surface.convention = Convention::Primary;
     scene.surface.W = {0.837, 0.105, 0.058, 0.219, 0.513, 0.268, 0.06, 1.0 / 3.0, 0.774};
+    scene.other = Surface{"oren_nayar", {{"sigma", {0.7}}}};
     scene.sensor.exposure = -3.3;
     return scene;
 }
@@ -39,7 +40,7 @@ bool equal(const Scene& a, const Scene& b)
 {
     return a.meshFile == b.meshFile && a.recomputeNormals == b.recomputeNormals && a.camera == b.camera &&
            a.lights == b.lights && a.environment == b.environment && a.background == b.background &&
-           a.surface == b.surface && a.sensor == b.sensor;
+           a.surface == b.surface && a.other == b.other && a.sensor == b.sensor;
 }
 
 TEST(SceneFile, ReadsBackWhatItWroteBitForBit)

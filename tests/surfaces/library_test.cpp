@@ -61,5 +61,13 @@ TEST(Library, ApplyingSetsWhatTheSurfaceGivesAndKeepsWhatOtherModelsOwn)
     EXPECT_FALSE(isSurface(velvet, before));
 }
 
+TEST(Library, PutsNumbersInBriefWithoutHidingAny)
+{
+    EXPECT_EQ(inBrief({0.1, 0, 0, 0, 0.2, 0, 0, 0, 0.3}), "0.1 0.2 0.3");
+    EXPECT_EQ(inBrief({0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1}), "0.1");
+    EXPECT_EQ(inBrief({1, 2, 3, 4, 5, 6, 7, 8, 9}), "1 2 3 4 5 6 7 8 9");
+    EXPECT_EQ(inBrief(std::vector<double>(55, 0.5)), "55 numbers");
+}
+
 } // namespace
 } // namespace reflectance

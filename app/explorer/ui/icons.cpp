@@ -73,6 +73,14 @@ void drawSun(const Pen& pen)
     }
 }
 
+void drawHalves(const Pen& pen)
+{
+    pen.circle(0, 0, 0.9F);
+    pen.list.PathArcTo(pen.centre, 0.9F * pen.radius, 0.5F * std::numbers::pi_v<float>,
+                       1.5F * std::numbers::pi_v<float>);
+    pen.list.PathFillConvex(pen.color);
+}
+
 void drawCamera(const Pen& pen)
 {
     pen.line(std::array<ImVec2, 8>{{{-1, 0.75F},
@@ -126,6 +134,8 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float radius, ImU32 co
         return drawTurntable(pen);
     case Icon::Lights:
         return drawSun(pen);
+    case Icon::Compare:
+        return drawHalves(pen);
     case Icon::Camera:
         return drawCamera(pen);
     case Icon::Lens:

@@ -40,7 +40,7 @@ NumberRow rowOfNumber(const Parameter& list, const ListForm& form, std::size_t i
 
 void choiceRows(const ModelText& model, const Parameter& choice, ExplorerState& state)
 {
-    ParameterValues& values = state.scene.surface.values;
+    ParameterValues& values = surfaceInHand(state.compare, state.scene).values;
     const double now = flatValues(model, values)[choice.offset];
     std::vector<std::string> labels;
     for (const double value : choice.choices)
@@ -61,7 +61,7 @@ void listRows(const ModelText& model, const Parameter& list, ExplorerState& stat
 {
     if (!fold(list.label.c_str(), list.tooltip.c_str()))
         return;
-    ParameterValues& values = state.scene.surface.values;
+    ParameterValues& values = surfaceInHand(state.compare, state.scene).values;
     const ListForm* form = formOf(model, list, values);
     if (!form)
         return;

@@ -150,9 +150,10 @@ bool matrixEditor(const Parameter& parameter, std::vector<double>& values, Explo
     MatrixMemory& memory = state.panels.matrices[parameter.name];
     MatrixValues K;
     std::copy_n(values.begin(), 9, K.begin());
-    rowLabel(parameter.symbol,
-             parameter.label + ", " + std::string(nameOf(state.scene.surface.convention)) + " convention");
-    tooltip(state.scene.surface.convention == Convention::Sensor
+    rowLabel(parameter.symbol, parameter.label + ", " +
+                                   std::string(nameOf(surfaceInHand(state.compare, state.scene).convention)) +
+                                   " convention");
+    tooltip(surfaceInHand(state.compare, state.scene).convention == Convention::Sensor
                 ? "Lights are given as the sensor sees them on a perfect white: a grey surface has K = kd times the "
                   "identity."
                 : "Lights are strengths of the primaries: even a grey surface has off-diagonals, K = kd W.");

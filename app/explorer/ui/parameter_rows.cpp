@@ -97,7 +97,7 @@ void parameterRows(const ModelText& model, const Parameter& parameter, ExplorerS
         return choiceRows(model, parameter, state);
     if (parameter.kind == ParameterKind::List)
         return listRows(model, parameter, state);
-    ParameterValues& kept = state.scene.surface.values;
+    ParameterValues& kept = surfaceInHand(state.compare, state.scene).values;
     std::vector<double> values = valueOf(parameter, kept);
     bool changed = false;
     if (parameter.kind == ParameterKind::Matrix) {

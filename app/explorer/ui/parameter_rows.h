@@ -9,7 +9,7 @@ namespace reflectance::explorer {
 /// The slider of the parameter's i-th number.
 [[nodiscard]] NumberRow rowOf(const Parameter& parameter, std::size_t i);
 
-/// Number, colour, matrix, choice or list; changed values go to state.scene.surface.values.
+/// Number, colour, matrix, choice or list; changed values go to the surface in hand.
 void parameterRows(const ModelText& model, const Parameter& parameter, ExplorerState& state);
 
 } // namespace reflectance::explorer

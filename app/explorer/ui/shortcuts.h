@@ -7,7 +7,7 @@
 namespace reflectance::explorer {
 
 struct Shortcut {
-    const char* group;   ///< "View", "Lights", "Values", "Program"
+    const char* group;   ///< "View", "Lights", "Values", "Compare", "Program"
     const char* gesture; ///< "Ctrl+Shift+drag"
     const char* effect;  ///< one short sentence
 };
@@ -30,6 +30,9 @@ inline constexpr Shortcut shortcutTable[] = {
     {"Values", "double-click a slider", "back to the default"},
     {"Values", "M, Shift+M", "next or previous model; values stay"},
     {"Values", "Tab, arrow keys, Space", "reach and change controls without the mouse"},
+    {"Compare", "C", "two surfaces A and B, or one again"},
+    {"Compare", "X", "the hand from A to B and back; flips the picture in Flip"},
+    {"Compare", "B", "clay, Lambert beside Oren-Nayar; once more brings back what was there"},
     {"Program", "Ctrl+O, or drop a file", "open a mesh, a scene or an environment"},
     {"Program", "Ctrl+S", "save the scene"},
     {"Program", "Ctrl+R", "restore the session before a crash, while it is offered"},

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <array>
 
 namespace reflectance::explorer {
 
@@ -52,7 +53,8 @@ bool modelLine(const ModelText& model, bool current)
 
 void modelMenu(ExplorerState& state)
 {
-    const Model& current = modelOf(state.scene);
+    Surface& surface = surfaceInHand(state.compare, state.scene);
+    const Model& current = modelOf(surface);
     rowLabel("", "Model");
     const bool open = beginMenu("##model menu", current.text.name.c_str());
     if (open) {
@@ -62,12 +64,40 @@ void modelMenu(ExplorerState& state)
                 remark(model.text.family, palette::accent);
             family = model.text.family;
             if (modelLine(model.text, &model == &current))
-                state.scene.surface.model = model.id();
+                surface.model = model.id();
         }
         ImGui::EndCombo();
     } else {
         modelTooltip(current.text);
     }
+}
+
+constexpr std::array<Choice, 2> variants = {{
+    {"A", "The panel changes variant A.  X"},
+    {"B", "The panel changes variant B.  X"},
+}};
+
+/// Which of the two compared surfaces the controls below change.
+void variantSwitch(ExplorerState& state)
+{
+    rowLabel("", "Variant");
+    const float gap = points(4);
+    const float swap = sizeIn(Face::Body, "Swap").x + points(16);
+    const float copy = sizeIn(Face::Body, "B = A").x + points(16);
+    ImGui::BeginChild("##variants",
+                      {ImGui::GetContentRegionAvail().x - swap - copy - 2 * gap, ImGui::GetFrameHeight()});
+    const int pressed = choiceRow(variants, state.compare.handOnB ? 1 : 0);
+    if (pressed >= 0)
+        state.compare.handOnB = pressed == 1;
+    ImGui::EndChild();
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button("Swap", {swap, 0}))
+        swapVariants(state.scene);
+    tooltip("A becomes B and B becomes A.");
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button("B = A", {copy, 0}))
+        state.scene.other = state.scene.surface;
+    tooltip("B becomes a copy of A.");
 }
 
 void drawProperty(const char* name, const DeclaredProperty& property, const char* meaning)
@@ -122,19 +152,21 @@ void drawKeptValues(const ModelText& model, const ParameterValues& values)
 
 void drawSurfacePanel(ExplorerState& state)
 {
-    const Card card({2, "Surface", modelOf(state.scene).text.name,
+    const Card card({2, "Surface", modelOf(surfaceInHand(state.compare, state.scene)).text.name,
                      "The reflectance model: how much of the light from L leaves towards V."});
     if (!card.isOpen())
         return;
+    if (state.compare.on)
+        variantSwitch(state);
     modelMenu(state);
-    const ModelText& model = modelOf(state.scene).text;
+    const ModelText& model = modelOf(surfaceInHand(state.compare, state.scene)).text;
     drawFormulaBlock(model);
     ImGui::Dummy({0, points(2)});
     if (model.usesTable)
         tableRows(state);
     for (const Parameter& parameter : model.parameters)
         parameterRows(model, parameter, state);
-    drawKeptValues(model, state.scene.surface.values);
+    drawKeptValues(model, surfaceInHand(state.compare, state.scene).values);
 }
 
 } // namespace reflectance::explorer

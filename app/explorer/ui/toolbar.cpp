@@ -102,7 +102,8 @@ void drawOpenButton(ExplorerState& state, bool withLabels)
     }
 }
 
-constexpr std::array<const char*, 7> leftLabels = {"Open", "Frame", "Turntable", "Handles", "Lens", "Picture", "Reset"};
+constexpr std::array<const char*, 8> leftLabels = {"Open",    "Frame", "Turntable", "Handles",
+                                                   "Compare", "Lens",  "Picture",   "Reset"};
 
 bool labelsFit(float width)
 {
@@ -151,6 +152,11 @@ void drawToolbar(ExplorerState& state)
     if (toolButton(Icon::Lens, "Lens", state.lens.has_value(), withLabels,
                    "Paint the digits that float, half, SIMD or GL keep of double over the picture.  L"))
         state.lens = state.lens ? std::nullopt : std::optional(LensKind::Float);
+    if (toolButton(
+            Icon::Compare, "Compare", state.compare.on, withLabels,
+            "Compare two surfaces, A and B, under one camera and the same lights.  C.  B shows clay: Lambert beside "
+            "Oren-Nayar."))
+        toggleCompare(state.compare, state.scene);
     if (toolButton(Icon::Camera, "Picture", false, withLabels,
                    "Save a picture of the view.  F12.  Ctrl+F12 saves the whole window."))
         state.requests.push_back({Kind::SaveView, {}});

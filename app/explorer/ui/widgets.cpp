@@ -74,6 +74,17 @@ void tooltip(std::string_view text)
     endTooltip();
 }
 
+void scrollBarTooltip(std::string_view text)
+{
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    if (g.HoveredId != ImGui::GetWindowScrollbarID(g.CurrentWindow, ImGuiAxis_Y) || g.HoveredIdTimer < tooltipDelay ||
+        ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        return;
+    beginTooltip();
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    endTooltip();
+}
+
 void remark(std::string_view text, ImU32 color, Face which)
 {
     ImGui::PushFont(face(which));

@@ -16,6 +16,9 @@ void tooltip(std::string_view text);
 /// True once the mouse has rested on the last item long enough for a tooltip.
 [[nodiscard]] bool tooltipIsDue();
 
+/// A tooltip for the current window's own scroll bar.
+void scrollBarTooltip(std::string_view text);
+
 /// What goes between is the tooltip; it wraps at a comfortable width.
 void beginTooltip();
 void endTooltip();

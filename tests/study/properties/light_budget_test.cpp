@@ -30,11 +30,11 @@ TEST(LightBudget, OfLambertIsItsAlbedoAtEveryAngle)
 
 TEST(LightBudget, OfOrenNayarGrowsTowardsTheHorizonAsPublished)
 {
-    // Directional albedo of the A/B form at rho = 1, sigma = 0.3 by a 400-point rule: .892857 at 0, .991431 at 80 degrees,
-    // given to six digits.
+    // Directional albedo of the A/B form at rho = 1, sigma = 0.3: A = 1 - 0.5 / (1 + 0.33 / 0.09) = .892857 at 0, and by a
+    // 400-point rule .991431 at 80 degrees, given to six digits.
     const LightBudget rough = budgetOf("oren_nayar", "rho=1;sigma=0.3");
     EXPECT_NEAR(rough.facing, 0.892857, 1e-6);
-    EXPECT_NEAR(rough.largest, 0.991431, 1e-6);
+    EXPECT_NEAR(rough.largest, 0.991431, 5e-6); // the kink at azimuth 90 costs either rule a few units of 1e-6
     EXPECT_EQ(rough.angle, 80.0);
     // sigma = 0.1 returns 1.005009 at 80 degrees: a little more than arrives, and that is seen.
     EXPECT_FALSE(budgetOf("oren_nayar", "rho=1;sigma=0.1").passive());

@@ -3,6 +3,7 @@
 #include "app/explorer/ui/workbench/colour_page.h"
 #include "app/explorer/ui/workbench/curves_page.h"
 #include "app/explorer/ui/workbench/extremes_page.h"
+#include "app/explorer/ui/workbench/surfaces_page.h"
 
 namespace reflectance::explorer {
 
@@ -13,6 +14,8 @@ std::span<const WorkbenchPage> workbenchPages()
         {"extremes", "Extremes", "The inputs at which reflectance code breaks, tried on this machine.",
          drawExtremesPage},
         {"colour", "Colour", "Where K comes from: filters, primaries, and what a diagonal K costs.", drawColourPage},
+        {"surfaces", "Surfaces", "Published constants of real surfaces, with their sources; a click applies one.",
+         drawSurfacesPage},
     };
     return pages;
 }

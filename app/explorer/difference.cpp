@@ -1,0 +1,123 @@
+#include "app/explorer/difference.h"
+
+#include "core/image/colour_difference.h"
+#include "core/image/compare.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace reflectance::explorer {
+namespace {
+
+constexpr std::uint8_t noObject = 28; ///< sRGB code of the map beside the object
+
+std::vector<std::size_t> coveredPixels(const Image& image)
+{
+    std::vector<std::size_t> covered;
+    for (std::size_t pixel = 0; pixel < image.pixels(); ++pixel)
+        if (pixel < image.coverage.size() && image.coverage[pixel] > 0.0F)
+            covered.push_back(pixel);
+    return covered;
+}
+
+/// The value that `share` of the numbers do not exceed; reorders them.
+double quantile(std::vector<double>& numbers, double share)
+{
+    if (numbers.empty())
+        return 0.0;
+    const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(numbers.size()))) - 1;
+    const auto place = numbers.begin() + static_cast<std::ptrdiff_t>(std::min(rank, numbers.size() - 1));
+    std::nth_element(numbers.begin(), place, numbers.end());
+    return *place;
+}
+
+double largestOf(const Image& a, const Image& b, std::size_t pixel)
+{
+    double largest = 0.0;
+    for (std::size_t c = 3 * pixel; c < 3 * pixel + 3; ++c)
+        largest = std::fmax(largest, std::fabs(double{b.rgb[c]} - double{a.rgb[c]}));
+    return largest;
+}
+
+/// A single spike would leave the rest of the map white: one pixel in a hundred may lie beyond the scale.
+double scaleFor(const Image& a, const Image& b, const std::vector<std::size_t>& covered)
+{
+    std::vector<double> distances;
+    distances.reserve(covered.size());
+    for (const std::size_t pixel : covered)
+        if (const double distance = largestOf(a, b, pixel); std::isfinite(distance))
+            distances.push_back(distance);
+    return roundScale(quantile(distances, 0.99));
+}
+
+Lab labAt(const Image& image, std::size_t pixel, float exposed)
+{
+    const float* rgb = &image.rgb[3 * pixel];
+    const std::array<float, 3> shown{exposed * rgb[0], exposed * rgb[1], exposed * rgb[2]};
+    return labOfDisplayed(shown.data());
+}
+
+/// False where cancelled.
+bool perceive(const Image& a, const Image& b, const std::vector<std::size_t>& covered, double exposure,
+              DifferenceFigures& figures, Progress& progress)
+{
+    const auto exposed = static_cast<float>(std::exp2(exposure));
+    std::vector<double> errors;
+    errors.reserve(covered.size());
+    for (const std::size_t pixel : covered) {
+        if (progress.cancel)
+            return false;
+        errors.push_back(deltaE2000(labAt(a, pixel, exposed), labAt(b, pixel, exposed)));
+    }
+    figures.deltaEMax = errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
+    figures.deltaEP95 = quantile(errors, 0.95);
+    return true;
+}
+
+void paintBesideObject(const Image& a, std::vector<std::uint8_t>& rgb)
+{
+    for (std::size_t pixel = 0; pixel < a.pixels(); ++pixel)
+        if (pixel >= a.coverage.size() || a.coverage[pixel] <= 0.0F)
+            std::fill_n(rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel), 3, noObject);
+}
+
+} // namespace
+
+double roundScale(double largest)
+{
+    if (!(largest > 0.0) || !std::isfinite(largest))
+        return 1.0;
+    const double decade = std::pow(10.0, std::floor(std::log10(largest)));
+    for (const double step : {1.0, 2.0, 5.0})
+        if (step * decade >= largest * (1.0 - 1e-12))
+            return step * decade;
+    return 10.0 * decade;
+}
+
+std::optional<DifferencePicture> differenceOf(const Image& a, const Image& b, double exposure, bool perceived,
+                                              Progress& progress)
+{
+    const auto metrics = compared(a, b);
+    if (!metrics)
+        return std::nullopt;
+    const std::vector<std::size_t> covered = coveredPixels(a);
+    DifferencePicture picture;
+    picture.width = a.width;
+    picture.height = a.height;
+    picture.figures.identical = metrics->identical;
+    picture.figures.pixels = covered.size();
+    picture.figures.maxAbs = metrics->maxAbs;
+    // Beside the object both show the same background: it takes part in the mean with zeros only.
+    const auto share = static_cast<double>(std::max<std::size_t>(1, covered.size())) /
+                       static_cast<double>(std::max<std::size_t>(1, a.pixels()));
+    picture.figures.rmse = metrics->rmse / std::sqrt(share);
+    picture.scale = scaleFor(a, b, covered);
+    picture.rgb = differenceMap(a, b, picture.scale);
+    paintBesideObject(a, picture.rgb);
+    if (progress.cancel || (perceived && !perceive(a, b, covered, exposure, picture.figures, progress)))
+        return std::nullopt;
+    return picture;
+}
+
+} // namespace reflectance::explorer

@@ -1,0 +1,38 @@
+// What separates the pictures of two variants: figures over the object, and a map of the signed difference.
+#pragma once
+
+#include "core/image/image.h"
+#include "core/render/progress.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace reflectance::explorer {
+
+/// Over the pixels that the object covers; linear, before the sensor, but for dE2000.
+struct DifferenceFigures {
+    bool identical = false; ///< every channel has the same bits
+    std::size_t pixels = 0;
+    double rmse = 0.0, maxAbs = 0.0;            ///< over all channels
+    std::optional<double> deltaEP95, deltaEMax; ///< dE2000 as a display shows them; none where it was not asked for
+};
+
+/// B - A in luminance as 8-bit sRGB, rows from the top: blue where B is darker, red where it is brighter, full colour from
+/// `scale` on; dark where no object is.
+struct DifferencePicture {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+    double scale = 0.0;
+    DifferenceFigures figures;
+};
+
+/// The smallest of 1, 2 and 5 times a power of ten that is not below `largest`; 1 for what is no positive number.
+[[nodiscard]] double roundScale(double largest);
+
+/// Both pictures are of the same view. dE2000 takes long: only where `perceived`. `exposure` is the sensor's. Nothing where
+/// `progress` was cancelled.
+[[nodiscard]] std::optional<DifferencePicture> differenceOf(const Image& a, const Image& b, double exposure,
+                                                            bool perceived, Progress& progress);
+
+} // namespace reflectance::explorer

@@ -1,0 +1,16 @@
+// What lies over the picture while two variants are compared: how they are shown, what separates them, their names, the
+// divider, the scale of the map.
+#pragma once
+
+#include "app/explorer/layout.h"
+#include "app/explorer/state.h"
+
+namespace reflectance::explorer {
+
+/// Over the picture's area, inside its window. `panes` are where A and B stand.
+void drawCompareOverlay(ExplorerState& state, const Area& area, const Panes& panes);
+
+/// "RMSE 0.0123, largest 0.2; dE2000 ..." for the figures, or a sentence where there is nothing to measure.
+[[nodiscard]] std::string figuresText(const std::optional<DifferenceFigures>& figures);
+
+} // namespace reflectance::explorer
