@@ -69,6 +69,7 @@ int run(int argc, char** argv)
     addCheck(program, exitCode);
     addMatrix(program, exitCode);
     addTable(program, exitCode);
+    addFit(program, exitCode);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -24,5 +24,6 @@ void addExtremes(CLI::App& program, int& exitCode);
 void addCheck(CLI::App& program, int& exitCode);
 void addMatrix(CLI::App& program, int& exitCode);
 void addTable(CLI::App& program, int& exitCode);
+void addFit(CLI::App& program, int& exitCode);
 
 } // namespace reflectance::cli

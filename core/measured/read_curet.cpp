@@ -52,11 +52,16 @@ Result<Geometries> readGeometries(std::string_view text, const ReadContext& cont
     return geometries;
 }
 
-/// The values of surface `wanted` (1-based, as the rows count), one per geometry.
-Result<std::vector<double>> readSurface(std::string_view text, std::size_t geometries, const ReadContext& context)
+struct Surface {
+    std::vector<double> values; ///< one per geometry
+    std::size_t of = 0;         ///< how many there are
+};
+
+/// Surface `context.options.surface` (1-based, as the rows count).
+Result<Surface> readSurface(std::string_view text, std::size_t geometries, const ReadContext& context)
 {
-    std::vector<double> found;
-    std::size_t rows = 0;
+    Surface found;
+    std::size_t& rows = found.of;
     Lines lines(text);
     while (const auto line = lines.next()) {
         if (trimmed(*line).empty())
@@ -70,9 +75,9 @@ Result<std::vector<double>> readSurface(std::string_view text, std::size_t geome
                              " numbers",
                          context.file, lines.number()};
         if (rows == context.options.surface)
-            found.assign(row->begin() + 1, row->end());
+            found.values.assign(row->begin() + 1, row->end());
     }
-    if (found.empty())
+    if (found.values.empty())
         return Error{"holds " + std::to_string(rows) + " surfaces; there is no number " +
                          std::to_string(context.options.surface),
                      context.file};
@@ -90,8 +95,9 @@ Result<Measurement> readCuret(std::string_view geometries, const std::string& ge
     const auto values = readSurface(surfaces, places->L.size(), context);
     if (!values)
         return values.error();
-    ScatteredBrdf brdf = scatteredBrdf(places->L, places->V, *values, 1);
+    ScatteredBrdf brdf = scatteredBrdf(places->L, places->V, values->values, 1);
     brdf.provenance.name = context.file + ", surface " + std::to_string(context.options.surface);
+    brdf.provenance.surfaces = values->of;
     brdf.provenance.format = "CUReT";
     brdf.provenance.convention = "BRDF in 1/sr, mean of red, green and blue; radians";
     return Measurement(std::move(brdf));

@@ -201,7 +201,8 @@ void ZemaxReader::describe(Provenance& provenance) const
     provenance.name = context_.file;
     provenance.format = "Zemax BSDF";
     provenance.convention = "BRDF in 1/sr; degrees from and about the specular direction";
-    if (header_.axes[0].size() > 1)
+    provenance.surfaces = header_.axes[0].size();
+    if (provenance.surfaces > 1)
         provenance.warnings.push_back("the surface is anisotropic: this is rotation " +
                                       std::to_string(context_.options.surface) + " of " +
                                       std::to_string(header_.axes[0].size()) + ", shown as if it were isotropic");

@@ -237,6 +237,7 @@ ScatteredBrdf keptSamples(const std::vector<Vec3d>& L, const std::vector<Vec3d>&
             continue;
         }
         brdf.provenance.negatives += std::any_of(begin, end, [](double v) { return v < 0.0; }) ? 1 : 0;
+        brdf.directions.push_back({L[i], V[i]});
         brdf.points.push_back(points[i]);
         brdf.values.insert(brdf.values.end(), begin, end);
         const double lower = std::min(L[i].z, V[i].z);

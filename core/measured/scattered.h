@@ -21,9 +21,10 @@ inline constexpr ScatteredMetric matteMetric{1.0, 2.0, 0.5};
 /// plane that fits the 12 nearest samples best, each weighted by its distance; it is kept inside their range, so nothing
 /// overshoots. Where the measurement does not reach is a hole.
 struct ScatteredBrdf {
-    ScatteredMetric metric;     ///< of the two, the one that tells samples better from the others
-    std::vector<Angles> points; ///< ascending in their first number
-    std::vector<double> values; ///< `channels` per point, 1/sr
+    ScatteredMetric metric;                ///< of the two, the one that tells samples better from the others
+    std::vector<DirectionPair> directions; ///< as measured
+    std::vector<Angles> points;            ///< their places in the metric, ascending in the first number
+    std::vector<double> values;            ///< `channels` per point, 1/sr
     std::size_t channels = 1;
     double largestTheta = 0.0; ///< no sample looks, or is lit, from farther off N
     double reach = 0.0;        ///< farther than this from the nearest sample is a hole

@@ -29,6 +29,7 @@ struct Provenance {
     std::string name;          ///< of the file or the surface
     std::string format;        ///< "MERL binary"
     std::string convention;    ///< what the file holds and in which units: "BRDF x cos(theta_r); radians"
+    std::size_t surfaces = 1;  ///< in the file, of which this is one
     std::size_t samples = 0;   ///< numbers or tuples of numbers in the file
     std::size_t holes = 0;     ///< of them marked as unmeasured, or missing from a grid
     std::size_t negatives = 0; ///< samples with a negative number: kept as they are

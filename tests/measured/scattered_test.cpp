@@ -117,6 +117,8 @@ TEST(Curet, ReadsBothHalves)
         const auto m = readCurets(surface);
         ASSERT_TRUE(m) << m.error().sentence();
         EXPECT_EQ(provenanceOf(*m).samples, 40U);
+        EXPECT_EQ(provenanceOf(*m).surfaces, 2U);
+        EXPECT_EQ(std::get<ScatteredBrdf>(*m).directions.size(), 40U);
         EXPECT_NEAR(brdfAt(*m, directionAt(0.4, 0.0), directionAt(0.5, 2.5))->rows[0].x,
                     0.1 * static_cast<double>(surface), 1e-15);
     }

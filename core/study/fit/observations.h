@@ -1,7 +1,7 @@
 // What a fit is given: directions, light, and what was seen there; from a measured table, or from the pixels of a picture.
 #pragma once
 
-#include "core/measured/table.h"
+#include "core/measured/measurement.h"
 #include "core/reflectance/observation.h"
 
 #include <cstddef>
@@ -32,6 +32,10 @@ void observe(Observations& observations, const Vec3d& L, const Vec3d& V, const M
 /// The samples of a table, holes and directions below the surface left out. Of more than `most` samples every k-th is
 /// taken, k being the smallest odd number that is enough. The form follows the channels.
 [[nodiscard]] Observations observationsOf(const Table& table, std::size_t most = 20000);
+
+/// The same of anything measured: scattered samples as they were taken; RGL's function, which has no samples of its own, over
+/// half and difference angles, dense near the mirror direction and at least 10 degrees above the horizon.
+[[nodiscard]] Observations observationsOf(const Measurement& measurement);
 
 /// The same surface without its colour: the mean of the channels.
 [[nodiscard]] Observations greyOf(const Observations& observations);

@@ -1,0 +1,13 @@
+// What one evaluation of a model costs on this machine.
+#pragma once
+
+#include "core/reflectance/catalogue.h"
+#include "core/reflectance/precision.h"
+
+namespace reflectance {
+
+/// Nanoseconds per pair of directions and light: the best of several rounds over a block that stays in the first-level cache.
+/// Not for Glsl.
+[[nodiscard]] double shadingCost(const Model& model, const std::vector<double>& flat, Precision precision);
+
+} // namespace reflectance

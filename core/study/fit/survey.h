@@ -1,0 +1,57 @@
+// Many surfaces, many models: which model serves which surface, and what it costs.
+#pragma once
+
+#include "core/study/fit/fit.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reflectance {
+
+/// A model, with its choices made.
+struct Candidate {
+    std::string label; ///< "oren_nayar", "koenderink, order 8"
+    const Model* model = nullptr;
+    ParameterValues fixed;
+    double nsDouble = 0.0, nsSimd = 0.0; ///< per evaluation, measured on this machine
+};
+
+struct SurveyedSurface {
+    std::string name;   ///< file without folder and ending, and its number where the file holds several
+    std::string format; ///< "CUReT", "RGL ..."
+    std::size_t samples = 0;
+    std::vector<std::optional<FitResult>> fits; ///< as many as candidates; nothing where a model cannot be fitted
+};
+
+struct Survey {
+    FitOptions options;
+    std::vector<Candidate> candidates;
+    std::vector<SurveyedSurface> surfaces;
+    std::vector<std::string> skipped; ///< files that are no measured surfaces, in sentences
+};
+
+/// Every model of the catalogue that can be fitted to a surface without colour, once per choice that it offers, with costs.
+[[nodiscard]] std::vector<Candidate> candidatesOfCatalogue();
+
+/// Fits every candidate to every surface of the files, and of the folders with all they contain, in the order of their names.
+/// Surfaces are taken without their colour: the mean of the channels. Refused: a path that is not there, a folder without a
+/// measured surface, a named file that is none.
+[[nodiscard]] Result<Survey> survey(const std::vector<std::string>& paths, const FitOptions& options,
+                                    Progress* progress = nullptr);
+
+/// Index of the candidate with the smallest cost in SIMD lanes whose relative RMS error is within `tolerance`.
+[[nodiscard]] std::optional<std::size_t> cheapestWithin(const Survey& survey, const SurveyedSurface& surface,
+                                                        double tolerance);
+
+/// Index of the candidate with the lowest BIC.
+[[nodiscard]] std::optional<std::size_t> bestByBic(const SurveyedSurface& surface);
+
+/// The question of the lecture: is the surface served by Lambert, only by the hybrid, or by neither?
+enum class ServedBy { Lambert, Hybrid, Neither };
+[[nodiscard]] ServedBy servedBy(const Survey& survey, const SurveyedSurface& surface, double tolerance);
+
+/// Relative RMS errors of the candidate with this label, one per surface; infinite where it could not be fitted.
+[[nodiscard]] std::vector<double> errorsOf(const Survey& survey, const std::string& label);
+
+} // namespace reflectance
