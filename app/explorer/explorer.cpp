@@ -1,5 +1,6 @@
 #include "app/explorer/explorer.h"
 
+#include "app/explorer/fits.h"
 #include "app/explorer/differences.h"
 #include "app/explorer/frame_pace.h"
 #include "app/explorer/pictures.h"
@@ -188,6 +189,7 @@ void drawOnce(Session& session)
     serveRequests(session);
     pollFiles(session);
     tryNextHazard(session);
+    pollFit(session);
     keepSession(session);
     titleWindow(session);
 }
@@ -198,7 +200,7 @@ Reasons reasonsOf(const Session& session)
     const bool refine = session.viewport.refinementOwed && !session.viewport.dragging();
     return {
         .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running,
-        .loading = session.state.loading.has_value() || !session.toOpen.empty(),
+        .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running,
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),

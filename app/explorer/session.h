@@ -30,6 +30,7 @@ struct Session {
     FileLoader loader{Window::wake};
     Background<Prices> prices{Window::wake};
     Trust trust{Window::wake};
+    Background<FitOutcome> fit{Window::wake};
     Background<std::vector<Thumbnail>> thumbnails{Window::wake};
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last

@@ -5,6 +5,7 @@
 #include "app/explorer/exhibition.h"
 #include "app/explorer/comparison.h"
 #include "app/explorer/extremes_study.h"
+#include "app/explorer/fit_study.h"
 #include "app/explorer/surface_shelf.h"
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
@@ -134,6 +135,7 @@ struct ExplorerState {
     std::optional<PutAside> putAside; ///< a hazard's case is shown, and the user's scene waits here
     CurvesPage curves;
     ColourPage colour;
+    FitStudy fit;
 
     // Between the panels and the frame loop.
     PanelMemory panels;

@@ -7,7 +7,8 @@
 namespace reflectance {
 namespace {
 
-const std::vector<double>& valueOf(const Parameter& parameter, const ParameterValues& values)
+/// As it was named, whatever its count.
+const std::vector<double>& named(const Parameter& parameter, const ParameterValues& values)
 {
     const auto found = values.find(parameter.name);
     return found == values.end() || found->second.empty() ? parameter.initial : found->second;
@@ -17,7 +18,7 @@ const std::vector<double>& valueOf(const Parameter& parameter, const ParameterVa
 
 const ListForm* formOf(const ModelText& model, const Parameter& list, const ParameterValues& values)
 {
-    return list.formFor(valueOf(*model.find(list.chosenBy), values).front());
+    return list.formFor(named(*model.find(list.chosenBy), values).front());
 }
 
 std::vector<double> inForm(const Parameter& list, std::span<const double> numbers, const ListForm& form)
@@ -41,7 +42,7 @@ Result<void> checkLists(const ModelText& model, const ParameterValues& values)
         if (parameter.kind != ParameterKind::List)
             continue;
         const ListForm* form = formOf(model, parameter, values);
-        const std::size_t count = valueOf(parameter, values).size();
+        const std::size_t count = named(parameter, values).size();
         if (!form || form->names.size() == count)
             continue;
         return Error{"parameter " + parameter.name + " holds " + std::to_string(count) + " numbers, and " +

@@ -1,5 +1,6 @@
 #include "core/study/fit/picture_observations.h"
 
+#include "core/math/angle.h"
 #include "core/render/cpu/cpu_renderer.h"
 
 #include <algorithm>
@@ -8,6 +9,9 @@
 
 namespace reflectance {
 namespace {
+
+/// Neighbouring pixels whose normals are farther apart than 10 degrees do not lie on one smooth surface.
+const double leastAgreement = std::cos(radians(10.0));
 
 class PixelReader {
 public:
@@ -28,7 +32,7 @@ public:
             return;
         const std::size_t i = *sampleOf(x, y);
         const Vec3d P{samples_.Px[i], samples_.Py[i], samples_.Pz[i]};
-        Observation row{{samples_.Nx[i], samples_.Ny[i], samples_.Nz[i]}, normalized(samples_.eye - P), {}};
+        Observation row{normalOf(i), normalized(samples_.eye - P), {}};
         for (const Light& light : lights_)
             if (const Arrival arrival = arrivalAt(light, P); dot(row.N, arrival.L) > 0.0)
                 row.lights.push_back({arrival.L, arrival.I, light.angularRadius});
@@ -50,15 +54,22 @@ private:
         return first < samples_.firstOfPixel[pixel + 1] ? std::optional(first) : std::nullopt;
     }
 
-    /// A pixel is a mean over its area: next to one that misses the object it may hold background.
+    /// A pixel is a mean over its area: next to one that misses the object it may hold background, and across an edge two
+    /// surfaces that one normal cannot stand for.
     [[nodiscard]] bool seesWhole(int x, int y) const
     {
+        const auto middle = sampleOf(x, y);
+        if (!middle)
+            return false;
         for (int dy = -1; dy <= 1; ++dy)
             for (int dx = -1; dx <= 1; ++dx)
-                if (!meetsObject(x + dx, y + dy))
+                if (const auto i = sampleOf(x + dx, y + dy);
+                    !i || dot(normalOf(*i), normalOf(*middle)) < leastAgreement)
                     return false;
         return true;
     }
+
+    [[nodiscard]] Vec3d normalOf(std::size_t i) const { return {samples_.Nx[i], samples_.Ny[i], samples_.Nz[i]}; }
 
     [[nodiscard]] bool isClipped(int x, int y) const
     {

@@ -106,6 +106,19 @@ bool repeatsAnEarlierModel(const ModelText& model)
     return model.id == "lambert_color";
 }
 
+/// One candidate per choice that the model offers.
+void addCandidates(const Model& model, std::vector<Candidate>& candidates)
+{
+    for (const Parameter& p : model.text.parameters)
+        if (p.kind == ParameterKind::Choice) {
+            for (const double choice : p.choices)
+                candidates.push_back(
+                    {model.id() + ", " + p.name + " " + shortest(choice), &model, {{p.name, {choice}}}, 0.0, 0.0});
+            return;
+        }
+    candidates.push_back({model.id(), &model, {}, 0.0, 0.0});
+}
+
 } // namespace
 
 std::vector<Candidate> candidatesOfCatalogue()
@@ -115,7 +128,7 @@ std::vector<Candidate> candidatesOfCatalogue()
         if (model.text.usesLightSize || repeatsAnEarlierModel(model.text) ||
             variablesOf(model.text, ObservedForm::Grey, {}, {}).empty())
             continue;
-        candidates.push_back({model.id(), &model, {}, 0.0, 0.0});
+        addCandidates(model, candidates);
     }
     for (Candidate& candidate : candidates) {
         const std::vector<double> flat = flatValues(candidate.model->text, candidate.fixed);

@@ -37,6 +37,7 @@ void addColor(const Parameter& p, bool isGrey, std::vector<Variable>& variables)
         variables.push_back(variableFor(p, p.name + channelNames[c], {c}));
 }
 
+/// The numbers that count for the list's choice, each by its name.
 /// Whether all nine numbers are turned, and not the diagonal alone.
 bool isWhole(const Parameter& matrix, ObservedForm form, const std::set<std::string>& grey)
 {

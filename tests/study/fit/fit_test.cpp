@@ -132,6 +132,22 @@ TEST(Fit, AMatrixTableGivesAllNineNumbersOfK)
         EXPECT_NEAR(fit->numbers[i].value, K[i], 1e-9); // linear: one step, and rounding
 }
 
+TEST(Fit, ListsAreTurnedAsTheirChoiceSays)
+{
+    const std::vector<double> a{1.2, 0.2, -0.1, 0.3, 0.1};
+    const ParameterValues values{{"order", {2.0}}, {"coefficients", a}};
+    FitOptions order2;
+    order2.fixed["order"] = {2.0};
+    const auto fit =
+        fitModel(model("koenderink"), observationsOf(synthetic({"koenderink", values, 0.0, 1, 1, {}})), order2);
+    ASSERT_TRUE(fit);
+    ASSERT_EQ(fit->numbers.size(), 5U);
+    ASSERT_EQ(fit->values.at("coefficients").size(), 5U);
+    for (std::size_t i = 0; i < 5; ++i)
+        EXPECT_NEAR(fit->values.at("coefficients")[i], a[i], 1e-9); // linear, as above
+    EXPECT_EQ(fit->numbers[4].name, "coefficients l2_n2_m2");
+}
+
 TEST(Fit, AFixedParameterKeepsItsValue)
 {
     FitOptions options;

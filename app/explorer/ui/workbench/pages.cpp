@@ -3,6 +3,7 @@
 #include "app/explorer/ui/workbench/colour_page.h"
 #include "app/explorer/ui/workbench/curves_page.h"
 #include "app/explorer/ui/workbench/extremes_page.h"
+#include "app/explorer/ui/workbench/fit_page.h"
 #include "app/explorer/ui/workbench/surfaces_page.h"
 
 namespace reflectance::explorer {
@@ -16,6 +17,8 @@ std::span<const WorkbenchPage> workbenchPages()
         {"colour", "Colour", "Where K comes from: filters, primaries, and what a diagonal K costs.", drawColourPage},
         {"surfaces", "Surfaces", "Published constants of real surfaces, with their sources; a click applies one.",
          drawSurfacesPage},
+        {"fit", "Fit", "A model fitted to a measured surface: its curve over the data, and how well the data determine it.",
+         drawFitPage},
     };
     return pages;
 }
