@@ -11,6 +11,11 @@ namespace reflectance {
     return degrees * std::numbers::pi / 180.0;
 }
 
+[[nodiscard]] inline double degrees(double radians)
+{
+    return radians * 180.0 / std::numbers::pi;
+}
+
 /// (2 sin(a/2))^2 for an angle a in degrees: the squared chord between two unit vectors that are a apart.
 [[nodiscard]] inline double squaredChord(double degrees)
 {

@@ -1,0 +1,23 @@
+// A measured surface as maps over theta_i and theta_r: its numbers, and what they lack of reciprocity.
+#pragma once
+
+#include "core/chart/heat_map.h"
+#include "core/measured/measurement.h"
+
+namespace reflectance {
+
+struct TableMapSettings {
+    double deltaPhi = 180.0;  ///< degrees between the azimuths of L and V: 180 holds the mirror direction
+    int row = -1, column = 0; ///< the entry of the matrix that is shown; row -1: the mean of the diagonal
+    bool logarithmic = true;
+    std::size_t steps = 90; ///< cells from 0 to 90 degrees
+};
+
+/// f in 1/sr; each cell is looked up at its middle, as the measurement's own format means it. A logarithmic scale spans at
+/// most six powers of ten below the largest number.
+[[nodiscard]] HeatMap valueMap(const Measurement& measurement, const TableMapSettings& settings);
+
+/// f(theta_i, theta_r) - f(theta_r, theta_i), mean over the channels.
+[[nodiscard]] HeatMap residualMap(const Measurement& measurement, const TableMapSettings& settings);
+
+} // namespace reflectance
