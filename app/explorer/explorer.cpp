@@ -190,6 +190,7 @@ void drawOnce(Session& session)
     pollFiles(session);
     tryNextHazard(session);
     pollFit(session);
+    pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
     keepSession(session);
     titleWindow(session);
 }

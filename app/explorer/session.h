@@ -36,6 +36,9 @@ struct Session {
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
     Autosave autosave{stateFolder()};
 
+    Background<TableFacts> tableFacts{Window::wake};
+    std::shared_ptr<const MeasuredTable> tableAsked; ///< that the facts were last asked of
+
     std::deque<std::string> toOpen;           ///< files that wait for the one being read
     std::string sceneFile;                    ///< the scene file in use; empty where there is none
     std::optional<std::string> windowPicture; ///< where to save the frame being drawn; empty chooses a name

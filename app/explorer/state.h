@@ -7,6 +7,7 @@
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/fit_study.h"
 #include "app/explorer/surface_shelf.h"
+#include "app/explorer/table_study.h"
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
@@ -136,6 +137,7 @@ struct ExplorerState {
     CurvesPage curves;
     ColourPage colour;
     FitStudy fit;
+    TablePage tablePage;
 
     // Between the panels and the frame loop.
     PanelMemory panels;

@@ -49,10 +49,9 @@ void drawFacts(const Table& table)
 
 } // namespace
 
-void tableRows(ExplorerState& state)
+void tableChooser(ExplorerState& state)
 {
     const Surface& surface = state.scene.surface;
-    rowLabel("", "Measurement");
     const std::string name = std::filesystem::path(surface.tableFile).filename().string();
     const std::string label =
         elided(name.empty() ? "choose\u2026" : name, ImGui::GetContentRegionAvail().x - points(18)) + "##choose table";
@@ -60,6 +59,13 @@ void tableRows(ExplorerState& state)
         state.requests.push_back({Request::Kind::OpenDialog, {}});
     tooltip(surface.tableFile + (surface.tableFile.empty() ? "" : "\n") +
             "Choose a measurement (CSV, MERL, RGL, Cornell, Zemax, CUReT, OpenMATERIAL); or drop one on the window.");
+}
+
+void tableRows(ExplorerState& state)
+{
+    const Surface& surface = state.scene.surface;
+    rowLabel("", "Measurement");
+    tableChooser(state);
     if (surface.table)
         drawFacts(surface.table->table);
     else

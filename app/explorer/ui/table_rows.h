@@ -7,4 +7,7 @@ namespace reflectance::explorer {
 
 void tableRows(ExplorerState& state);
 
+/// The button alone that asks for a measurement.
+void tableChooser(ExplorerState& state);
+
 } // namespace reflectance::explorer

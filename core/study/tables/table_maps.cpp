@@ -1,5 +1,6 @@
 #include "core/study/tables/table_maps.h"
 
+#include "core/base/text.h"
 #include "core/math/angle.h"
 #include "core/measured/facts.h"
 
@@ -64,6 +65,28 @@ HeatMap valueMap(const Measurement& measurement, const TableMapSettings& setting
             smallest = std::min(smallest, value);
     map.scale = {"f (1/sr)", std::min(smallest, 0.5 * largest), largest, AxisScale::Log};
     return map;
+}
+
+PolarChart polarSlice(const Measurement& measurement, double thetaI, const TableMapSettings& settings)
+{
+    PolarChart chart;
+    chart.title = "\u03B8_i = " + general(thetaI, 3) + "\u00B0";
+    chart.radiusLabel = "f (1/sr)";
+    chart.rays = {-radians(thetaI), radians(thetaI)};
+    chart.rayNames = {"L", "R"};
+    const Vec3d L = directionAt(radians(thetaI), 0.0);
+    PolarChart::Curve curve{"", seriesColor(0), {}, {}};
+    for (int half = -179; half <= 179; ++half) {
+        const double theta = radians(0.5 * half);
+        const double azimuth = radians(settings.deltaPhi) + (half < 0 ? std::numbers::pi : 0.0);
+        const auto f = brdfAt(measurement, L, directionAt(std::fabs(theta), azimuth));
+        curve.angle.push_back(theta);
+        curve.radius.push_back(f ? entryOf(*f, settings) : nothing);
+    }
+    const double largest = largestIn(curve.radius);
+    chart.largest = largest > 0.0 ? 1.05 * largest : 1.0;
+    chart.curves.push_back(std::move(curve));
+    return chart;
 }
 
 HeatMap residualMap(const Measurement& measurement, const TableMapSettings& settings)

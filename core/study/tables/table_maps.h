@@ -17,6 +17,10 @@ struct TableMapSettings {
 /// most six powers of ten below the largest number.
 [[nodiscard]] HeatMap valueMap(const Measurement& measurement, const TableMapSettings& settings);
 
+/// f over theta_r for one theta_i (degrees), on both sides of the normal: positive angles at the settings' azimuth, negative
+/// ones opposite. Holes interrupt the curve.
+[[nodiscard]] PolarChart polarSlice(const Measurement& measurement, double thetaI, const TableMapSettings& settings);
+
 /// f(theta_i, theta_r) - f(theta_r, theta_i), mean over the channels.
 [[nodiscard]] HeatMap residualMap(const Measurement& measurement, const TableMapSettings& settings);
 

@@ -70,6 +70,21 @@ TEST(ValueMap, StretchesNoLogarithmOverWhatUnderflows)
     EXPECT_LT(map.scale.low, map.scale.high);
 }
 
+TEST(PolarSlice, CutsBothSidesAndStopsAtHoles)
+{
+    const PolarChart chart = polarSlice(sloped(0.25), 30.0, {});
+    const PolarChart::Curve& curve = chart.curves.at(0);
+    const double thirty = std::numbers::pi / 6;
+    for (std::size_t i = 0; i < curve.angle.size(); ++i) {
+        const double theta = std::fabs(curve.angle[i]);
+        if (theta <= 1.5)
+            EXPECT_NEAR(curve.radius[i], 1.0 + thirty + 0.25 * theta, 1e-12) << curve.angle[i];
+        else
+            EXPECT_TRUE(std::isnan(curve.radius[i])) << "beyond 1.5 rad nothing was measured";
+    }
+    EXPECT_GT(chart.largest, 1.0 + thirty + 0.25 * 1.48);
+}
+
 TEST(ResidualMap, IsZeroForASymmetricTableAndSignedForOthers)
 {
     const HeatMap none = residualMap(sloped(1.0), {.steps = 18});

@@ -5,6 +5,7 @@
 #include "app/explorer/ui/workbench/extremes_page.h"
 #include "app/explorer/ui/workbench/fit_page.h"
 #include "app/explorer/ui/workbench/surfaces_page.h"
+#include "app/explorer/ui/workbench/table_page.h"
 
 namespace reflectance::explorer {
 
@@ -12,13 +13,15 @@ std::span<const WorkbenchPage> workbenchPages()
 {
     static constexpr WorkbenchPage pages[] = {
         {"curves", "Curves", "The surface as curves in the plane of incidence, beside other models.", drawCurvesPage},
-        {"extremes", "Extremes", "The inputs at which reflectance code breaks, tried on this machine.",
-         drawExtremesPage},
-        {"colour", "Colour", "Where K comes from: filters, primaries, and what a diagonal K costs.", drawColourPage},
         {"surfaces", "Surfaces", "Published constants of real surfaces, with their sources; a click applies one.",
          drawSurfacesPage},
+        {"table", "Table", "A measured surface as a map over both angles, with its holes and its reciprocity.",
+         drawTablePage},
         {"fit", "Fit", "A model fitted to a measured surface: its curve over the data, and how well the data determine it.",
          drawFitPage},
+        {"colour", "Colour", "Where K comes from: filters, primaries, and what a diagonal K costs.", drawColourPage},
+        {"extremes", "Extremes", "The inputs at which reflectance code breaks, tried on this machine.",
+         drawExtremesPage},
     };
     return pages;
 }
