@@ -33,7 +33,7 @@ struct GlCheck {
 ///
 /// The bound of a channel is 64 (kappa + 1) 2^-23 |exact| plus 2^-100, kappa by differences
 /// (sensitivity.h), its parts averaged over the pixel's samples: GLSL leaves divisions 2.5 units and the order of sums
-/// open, so it has twice of what C++ has, in units of 2^-23.
+/// open, so it has twice of what C++ has, in units of 2^-23. Below 2^-100 a highlight's tail may have been flushed to 0.
 [[nodiscard]] std::optional<GlCheck> checkGl(const ViewSamples& samples, const Image& drawn, const Scene& scene,
                                              std::size_t wanted, const Progress& progress);
 

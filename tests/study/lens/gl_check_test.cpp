@@ -90,6 +90,25 @@ TEST(GlCheckOfAPicture, FindsOneWrongPixel)
     EXPECT_EQ(check.worst.drawn.y, static_cast<double>(drawn.image.at(48, 40)[1]));
 }
 
+/// The far tail of a highlight, which shaders flush to 0, is no fault; light that is not there is one.
+TEST(GlCheckOfAPicture, ForgivesATailThatWasFlushed)
+{
+    Drawn drawn;
+    drawn.scene.surface.model = "phong";
+    drawn.scene.surface.values["n"] = {3000.0};
+    drawn.image = shadeSamples(drawn.samples, drawn.scene, Precision::Float);
+    float* flushed = nullptr;
+    for (std::size_t i = 0; i < drawn.image.rgb.size(); ++i)
+        if (float& channel = drawn.image.rgb[i]; channel > 0.0F && channel < 1e-36F) {
+            channel = 0.0F;
+            flushed = drawn.image.coverage[i / 3] == 1.0F ? &channel : flushed;
+        }
+    ASSERT_NE(flushed, nullptr);
+    EXPECT_TRUE(checked(drawn.samples, drawn.image, drawn.scene).holds());
+    *flushed = 1e-30F;
+    EXPECT_FALSE(checked(drawn.samples, drawn.image, drawn.scene).holds());
+}
+
 TEST(GlCheckOfAPicture, TakesNoNumberForInfinitelyWrong)
 {
     Drawn drawn;

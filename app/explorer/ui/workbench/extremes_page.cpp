@@ -5,6 +5,7 @@
 #include "app/explorer/ui/workbench/losses_table.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace reflectance::explorer {
 
@@ -41,10 +42,26 @@ void drawRun(ExtremesStudy& study, ExtremesPage& page)
     tooltip("Tries every hazard in double, float, SIMD and this driver's GLSL.");
 }
 
+/// Beside the last item where `width` fits there, else below it.
+void besideOrBelow(float width)
+{
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + points(12) + width <= right)
+        ImGui::SameLine(0, points(12));
+}
+
+float widthOfButtons(std::initializer_list<const char*> labels)
+{
+    float width = 0.0F;
+    for (const char* label : labels)
+        width += sizeIn(Face::Body, label).x + 2 * ImGui::GetStyle().FramePadding.x + points(2);
+    return width;
+}
+
 /// Which table, and which of its rows.
 void drawChoices(ExtremesPage& page)
 {
-    ImGui::SameLine(0, points(12));
+    besideOrBelow(widthOfButtons({"Hazards", "Where digits go"}));
     if (toggleButton("Hazards", !page.losses))
         page.losses = false;
     tooltip("The hazards H01 to H74, row by row. Click a row to see its case.");
@@ -55,7 +72,7 @@ void drawChoices(ExtremesPage& page)
             "here.");
     if (page.losses)
         return;
-    ImGui::SameLine(0, points(12));
+    besideOrBelow(widthOfButtons({"Only failures"}));
     if (toggleButton("Only failures", page.onlyFailures))
         page.onlyFailures = !page.onlyFailures;
     tooltip("Leave out what passed, does not apply, or could not run.");
@@ -71,7 +88,7 @@ void drawHead(ExplorerState& state)
         return;
     }
     drawChoices(state.extremesPage);
-    ImGui::SameLine(0, points(12));
+    besideOrBelow(points(60));
     ImGui::AlignTextToFramePadding();
     const std::string summary = summaryText(summaryOf(state.extremes.findings));
     remark(elided(summary, ImGui::GetContentRegionAvail().x), palette::text, Face::Body);
