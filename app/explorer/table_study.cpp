@@ -26,7 +26,7 @@ void pollTableFacts(TablePage& page, Background<TableFacts>& worker, std::shared
     asked = page.shown;
     worker.start([table = page.shown](Progress& progress) -> std::optional<TableFacts> {
         const Measurement measurement = table->table;
-        TableFacts facts{reciprocityOf(measurement), {}};
+        TableFacts facts{reciprocityOf(measurement, radians(reciprocityLimit)), {}};
         if (progress.cancel)
             return std::nullopt;
         facts.leftOut = leaveOneOut(measurement);

@@ -13,6 +13,9 @@
 
 namespace reflectance::explorer {
 
+/// Beyond this angle from the normal, in degrees, measurements are too noisy to blame a surface for.
+inline constexpr double reciprocityLimit = 75.0;
+
 /// Numbers of the whole table.
 struct TableFacts {
     Reciprocity reciprocity;

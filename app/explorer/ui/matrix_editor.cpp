@@ -128,6 +128,15 @@ bool drawGrid(const Parameter& parameter, MatrixMode mode, MatrixValues& K, Expl
     return changed;
 }
 
+void drawConvention(Convention convention)
+{
+    remark("K is in the " + std::string(nameOf(convention)) + " convention.");
+    tooltip(convention == Convention::Sensor
+                ? "Lights are given as the sensor sees them on a perfect white: a grey surface has K = kd times the "
+                  "identity."
+                : "Lights are strengths of the primaries: even a grey surface has off-diagonals, K = kd W.");
+}
+
 void drawModeRemark(const MatrixValues& K, MatrixMode mode, const MatrixMemory& memory)
 {
     const double dropped = offDiagonalShare(mode == MatrixMode::Full || !memory.wider ? K : *memory.wider);
@@ -150,16 +159,11 @@ bool matrixEditor(const Parameter& parameter, std::vector<double>& values, Explo
     MatrixMemory& memory = state.panels.matrices[parameter.name];
     MatrixValues K;
     std::copy_n(values.begin(), 9, K.begin());
-    rowLabel(parameter.symbol, parameter.label + ", " +
-                                   std::string(nameOf(surfaceInHand(state.compare, state.scene).convention)) +
-                                   " convention");
-    tooltip(surfaceInHand(state.compare, state.scene).convention == Convention::Sensor
-                ? "Lights are given as the sensor sees them on a perfect white: a grey surface has K = kd times the "
-                  "identity."
-                : "Lights are strengths of the primaries: even a grey surface has off-diagonals, K = kd W.");
+    rowLabel(parameter.symbol, parameter.label);
     bool changed = drawModes(K, memory);
     const MatrixMode mode = modeOf(K, memory);
     changed |= mode == MatrixMode::Scalar ? drawScalar(parameter, K, state) : drawGrid(parameter, mode, K, state);
+    drawConvention(surfaceInHand(state.compare, state.scene).convention);
     drawModeRemark(K, mode, memory);
     for (const std::string& sentence : matrixRemarks(K))
         remark(sentence, palette::warning);

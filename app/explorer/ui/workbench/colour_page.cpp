@@ -162,7 +162,7 @@ void drawColourPage(ExplorerState& state)
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float matrixWidth = points(168);
     const bool plotFits = room.x > points(470);
-    const float chartWidth = plotFits ? std::min(1.45F * room.y, 0.42F * room.x) : room.x - matrixWidth - points(10);
+    const float chartWidth = plotFits ? std::min(1.2F * room.y, 0.34F * room.x) : room.x - matrixWidth - points(10);
     if (plotFits) {
         const float plotWidth = room.x - chartWidth - matrixWidth - points(20);
         drawPlot("spectra", spectraChart(*page.answer, page.patch), {plotWidth, room.y});

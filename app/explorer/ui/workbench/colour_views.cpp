@@ -13,7 +13,6 @@ namespace reflectance::explorer {
 namespace {
 
 constexpr ChartColor inks[] = {0xD55E00, 0x009E73, 0x0072B2};
-constexpr const char* letters[] = {"red", "green", "blue"};
 
 Series seriesOf(const Spectrum& spectrum, std::string name, ChartColor color, bool toItsLargest)
 {
@@ -48,8 +47,9 @@ void drawNumber(ImVec2 topLeft, float width, double value)
 void drawPriceLine(const ColourPage& page)
 {
     const CheatPrice& price = page.answer->prices[static_cast<std::size_t>(page.cheat)];
-    remark(std::string(wordsFor(page.cheat)) + ": dE2000 " + general(price.mean, 2) + " mean, " +
-               general(price.p95, 2) + " p95, " + general(price.max, 2) + " max",
+    const auto shown = [](double deltaE) { return deltaE < 0.005 ? "0" : general(deltaE, 2); };
+    remark(std::string(wordsFor(page.cheat)) + ": dE2000 " + shown(price.mean) + " mean, " + shown(price.p95) +
+               " p95, " + shown(price.max) + " max",
            price.max > 2.3 ? palette::warning : palette::text);
     tooltip("Against the spectral integral, over the 24 patches under this light. About 1 is just visible.");
 }
@@ -74,7 +74,7 @@ Chart spectraChart(const ColorAnswer& answer, std::size_t patch)
     chart.x = {"wavelength (nm)", 380.0, 730.0, AxisScale::Linear, 50.0};
     chart.y = {"relative", 0.0, 1.05, AxisScale::Linear, 0.0};
     for (std::size_t c = 0; c < 3; ++c)
-        chart.series.push_back(seriesOf(answer.sensors[c], std::string(letters[c]) + " filter", inks[c], true));
+        chart.series.push_back(seriesOf(answer.sensors[c], c == 0 ? "filters" : "", inks[c], true));
     for (std::size_t c = 0; c < 3; ++c) {
         chart.series.push_back(seriesOf(answer.primaries[c], c == 0 ? "primaries" : "", inks[c], true));
         chart.series.back().dashed = true;

@@ -87,7 +87,7 @@ void drawFacts(const std::optional<TableFacts>& facts)
         remark("Measuring reciprocity and interpolation\u2026");
         return;
     }
-    remark("Reciprocity: " + general(100.0 * facts->reciprocity.rms, 3) + " % rms, worst " +
+    remark("Reciprocity up to " + general(reciprocityLimit, 3) + "\u00B0: " + general(100.0 * facts->reciprocity.rms, 3) + " % rms, worst " +
            general(100.0 * facts->reciprocity.worst, 3) + " % of the largest f");
     for (const LeftOut& along : facts->leftOut)
         remark("Left out along " + along.along + ": " + general(100.0 * along.rms, 3) + " % rms");
