@@ -1,10 +1,11 @@
 //! name      Koenderink
-//! family    Scattering modes
+//! family    From measurements
 //! formula   sum a S(r_i, r_v) cos(l(phi_i - phi_v)) I (N.L) / 2
 //! citation  Koenderink, van Doorn, Stavridi, Bidirectional Reflection Distribution Function Expressed in Terms of Surface Scattering Modes, ECCV 1996
 //! about     Any isotropic surface, written as a sum of smooth scattering modes: Zernike polynomials of the disc r = sqrt(2) sin(theta/2), one for the light and one for the viewer, made reciprocal. 5 numbers give its broad behaviour, 55 also its finer one. It knows nothing of facets: coefficients come from fits to measurements, and a sum cut off ripples, so values may be negative.
 //! reciprocal yes
 //! passive   no: coefficients may be any numbers
+//! nonnegative no: coefficients may be, and a sum that is cut off ripples
 
 uniform int order = 2;
 //: label    Order

@@ -1,4 +1,5 @@
 //! name      Measured table
+//! family    From measurements
 //! formula   pi f(theta_i, theta_r, dphi) I (N.L)
 //! citation  A measurement, read from a file; its own format says how it was made
 //! about     What a real surface was measured to do, looked up between the samples of a file. Nothing is extrapolated: where nothing was measured the surface is black, and striped where the picture shows holes.
