@@ -153,7 +153,8 @@ struct TakeOver {
     void operator()(Scene scene) const
     {
         session.state.scene = std::move(scene);
-        session.state.compare = CompareView();
+        const CompareView fresh; // named: GCC 12 takes the members of a temporary's empty optionals for uninitialised
+        session.state.compare = fresh;
         session.state.compare.on = session.state.scene.other.has_value();
         session.state.selectedLight = session.state.scene.lights.empty() ? -1 : 0;
         session.state.soloLight = -1;
