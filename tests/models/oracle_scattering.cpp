@@ -100,7 +100,7 @@ Three koenderink(const Inputs& x)
 Formulas scatteringFormulas()
 {
     // A table without a measurement is black.
-    return {{"koenderink", {{{"order"}, {"coefficients", 0}}, koenderink}}},
+    return {{"koenderink", {{{"order"}, {"coefficients", 0}}, koenderink}},
             {"table", {{}, [](const Inputs&) { return Three{}; }}}};
 }
 

@@ -97,7 +97,7 @@ void drawRotation(Environment& environment, std::optional<Message>& message)
     numberRow(row, environment.rotation, message);
 }
 
-void drawBackground(Background& background)
+void drawBackground(reflectance::Background& background)
 {
     constexpr std::array<Choice, 2> choices = {{
         // in the order of BackgroundKind

@@ -77,10 +77,11 @@ TEST(PolarSlice, CutsBothSidesAndStopsAtHoles)
     const double thirty = std::numbers::pi / 6;
     for (std::size_t i = 0; i < curve.angle.size(); ++i) {
         const double theta = std::fabs(curve.angle[i]);
-        if (theta <= 1.5)
+        if (theta <= 1.5) {
             EXPECT_NEAR(curve.radius[i], 1.0 + thirty + 0.25 * theta, 1e-12) << curve.angle[i];
-        else
+        } else {
             EXPECT_TRUE(std::isnan(curve.radius[i])) << "beyond 1.5 rad nothing was measured";
+        }
     }
     EXPECT_GT(chart.largest, 1.0 + thirty + 0.25 * 1.48);
 }
@@ -88,9 +89,11 @@ TEST(PolarSlice, CutsBothSidesAndStopsAtHoles)
 TEST(ResidualMap, IsZeroForASymmetricTableAndSignedForOthers)
 {
     const HeatMap none = residualMap(sloped(1.0), {.steps = 18});
-    for (const double value : none.values)
-        if (!std::isnan(value))
+    for (const double value : none.values) {
+        if (!std::isnan(value)) {
             EXPECT_NEAR(value, 0.0, 1e-12);
+        }
+    }
     const HeatMap some = residualMap(sloped(0.0), {.steps = 18}); // planted: f depends on theta_i alone
     ASSERT_TRUE(some.diverging);
     EXPECT_GT(some.at(2, 10), 0.1) << "theta_i above theta_r";
