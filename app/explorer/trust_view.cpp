@@ -45,7 +45,7 @@ void drawTrust(Session& session, const Area& area)
     }
     drawGlBadge(state, {area.x + margin, area.y + margin});
     drawCaseBanner(state, {area.x + margin, area.y + margin + 32.0F * session.window.scale()},
-                   area.width - 2.0F * margin);
+                   {area.width - 2.0F * margin, area.height});
     if (state.lens)
         drawLensLegend(state, {area.right() - margin, area.bottom() - margin});
 }

@@ -7,7 +7,8 @@
 
 namespace reflectance::explorer {
 
-/// In the current window, at most `width` pixels wide; nothing while the user's own scene is shown.
-void drawCaseBanner(ExplorerState& state, ImVec2 topLeft, float width);
+/// In the current window, for a picture with `room` below `topLeft`; nothing while the user's own scene is shown. In a low
+/// picture it keeps clear of the middle, and the caption is a tooltip.
+void drawCaseBanner(ExplorerState& state, ImVec2 topLeft, ImVec2 room);
 
 } // namespace reflectance::explorer
