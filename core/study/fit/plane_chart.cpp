@@ -58,8 +58,7 @@ Chart chartInPlane(const Measurement& measurement, const Model& model, const std
     const Vec3d L = directionAt(thetaI, 0.0);
     Chart chart;
     chart.title = "Light at " + general(thetaI / degree, 3) + " degrees";
-    chart.x = {"viewer in the plane of incidence (degrees from N, away from the light)", -90.0, 90.0,
-               AxisScale::Linear};
+    chart.x = {"theta_r (degrees; light on the left)", -90.0, 90.0, AxisScale::Linear};
     chart.series = {measured(measurement, L, std::numbers::pi * (cosine ? L.z : 1.0)),
                     modelled(model, flat, L, cosine ? 1.0 : 1.0 / L.z)};
     std::vector<double> all{0.0};

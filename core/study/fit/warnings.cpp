@@ -11,9 +11,9 @@
 namespace reflectance {
 namespace {
 
-/// A number that is known only to a factor of 3, or to half of its slider, is not known.
+/// A number that is known only to a factor of 3, or to half of its slider and of itself, is not known.
 const double largestLogError = std::log(3.0);
-constexpr double largestShareOfSlider = 0.5;
+constexpr double largestShare = 0.5;
 /// Fewer residuals than this, and a single outlier makes the number.
 constexpr double fewestRows = 3.0;
 constexpr double largestCorrelation = 0.98;
@@ -67,11 +67,11 @@ bool isMissedLobe(const Model& model, const Observations& observations, const st
     return possible > 0.0 && possible > missedReaction * seen;
 }
 
-bool isUnknown(const Variable& variable, double error)
+bool isUnknown(const Variable& variable, double u, double error)
 {
     if (variable.logarithmic)
         return !(error <= largestLogError);
-    return !(error <= largestShareOfSlider * (variable.usualHigh - variable.usualLow));
+    return !(error <= largestShare * std::max(variable.usualHigh - variable.usualLow, std::fabs(u)));
 }
 
 std::string boundText(const Variable& variable, const FittedNumber& number)
@@ -100,7 +100,7 @@ std::vector<std::string> warningsAbout(const Residuals& residuals, const Observa
             warnings.push_back(boundText(variables[j], number));
             continue;
         }
-        if (!(spread.reaction[j] > 0.0) || isUnknown(variables[j], noise * spread.unitError[j])) {
+        if (!(spread.reaction[j] > 0.0) || isUnknown(variables[j], u[j], noise * spread.unitError[j])) {
             number.determined = false;
             const std::string why = missed                     ? where
                                     : spread.reaction[j] > 0.0 ? "its standard error is as large as its range"

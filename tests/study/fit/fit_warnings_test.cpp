@@ -43,6 +43,14 @@ TEST(FitWarnings, ASeenLobeIsNotComplainedAbout)
         EXPECT_THAT(warningsFor(glossy(n)), Not(HasSubstr("determined"))) << n;
 }
 
+TEST(FitWarnings, ALargeNumberWithASmallErrorIsKnown)
+{
+    SyntheticTable metal = glossy(25.0);
+    metal.values["ks"] = {90.0}; // far beyond its slider
+    metal.noise = 3.0;
+    EXPECT_THAT(warningsFor(metal), Not(HasSubstr("determined")));
+}
+
 TEST(FitWarnings, AModelWithoutALobeDoesNotSpeakOfTheMirrorDirection)
 {
     SyntheticTable matte{"oren_nayar", {{"rho", {0.6, 0.6, 0.6}}, {"sigma", {0.4}}}, 0.01, 3, 1, {}};
