@@ -36,6 +36,13 @@ void resetView(Session& session)
     frame(session);
 }
 
+/// Out of line: GCC 12 takes what the empty optionals of a temporary hold for uninitialised.
+[[gnu::noinline]] void endComparison(Session& session)
+{
+    static const CompareView nothingCompared;
+    session.state.compare = nothingCompared;
+}
+
 /// Lights, surface and sensor as the program starts with; the mesh stays. From a hazard's case, the way back.
 void resetScene(Session& session)
 {
@@ -46,7 +53,7 @@ void resetScene(Session& session)
     fresh.meshFile = session.state.scene.meshFile;
     fresh.recomputeNormals = session.state.scene.recomputeNormals;
     session.state.scene = std::move(fresh);
-    session.state.compare = CompareView();
+    endComparison(session);
     session.state.selectedLight = 0;
     session.state.soloLight = -1;
     resetView(session);
@@ -153,8 +160,7 @@ struct TakeOver {
     void operator()(Scene scene) const
     {
         session.state.scene = std::move(scene);
-        const CompareView fresh; // named: GCC 12 takes the members of a temporary's empty optionals for uninitialised
-        session.state.compare = fresh;
+        endComparison(session);
         session.state.compare.on = session.state.scene.other.has_value();
         session.state.selectedLight = session.state.scene.lights.empty() ? -1 : 0;
         session.state.soloLight = -1;
