@@ -133,7 +133,9 @@ std::string brokenPromise(const ModelText& text)
         return "a model that shades nothing";
     std::size_t offset = 0;
     for (const Parameter& parameter : text.parameters) {
-        if (parameter.offset != offset || parameter.initial.size() > parameter.size)
+        const std::size_t given = parameter.initial.size();
+        const bool isList = parameter.kind == ParameterKind::List; // its default may be shorter than its longest form
+        if (parameter.offset != offset || given == 0 || given > parameter.size || (!isList && given != parameter.size))
             return "a parameter whose values are not where they should be";
         offset += parameter.size;
     }

@@ -47,7 +47,7 @@ TEST(ShaderSource, KeepsAMessageInAnotherForm)
 TEST(ShaderSource, DeclaresEveryParameterOnce)
 {
     const ModelText& hybrid = (*findModel("hybrid"))->text;
-    EXPECT_EQ(parameterDeclarations(hybrid).text, "uniform mat3 K;\nuniform float ks;\nuniform float n;\n");
+    EXPECT_EQ(parameterDeclarations(hybrid).text, "uniform mat3 K;\nuniform vec3 ks;\nuniform float n;\n");
 }
 
 /// A compiler's line is the file's line: the code keeps an empty line for each that the parser took out.

@@ -111,6 +111,8 @@ TEST(Convention, ASceneInPrimariesIsDiffuseByMAndSpecularByW)
     const auto K = rowByRow(bench.surface.K);
     primary.background.color = {};
     primary.surface.values["K"] = {M.begin(), M.end()};
+    primary.surface.values["ks"] = {0.25}; // named, for the models' defaults differ
+    primary.surface.values["n"] = {40.0};
     Scene diffuse = primary;
     diffuse.surface.model = "lambert_color";
     Scene specular = primary;

@@ -25,13 +25,14 @@ Result<void> TableBuffer::upload(const TableTexels& texels)
 
 Result<void> TableBuffer::show(const GlProgram& program, const std::shared_ptr<const MeasuredTable>& table, int unit)
 {
+    // Before the upload, which binds: the unit that was active belongs to somebody else.
+    buffer_.gl().ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     if (table != table_) {
         table_.reset();
         if (auto done = upload(table->texels); !done)
             return done;
         table_ = table;
     }
-    buffer_.gl().ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     buffer_.gl().BindTexture(GL_TEXTURE_BUFFER, texture_.id());
     const TableTexels& texels = table->texels;
     program.set("tableTexels", unit);

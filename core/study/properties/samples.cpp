@@ -53,7 +53,7 @@ std::vector<Numbers> landmarks(const Parameter& p)
         return found;
     }
     if (p.kind == ParameterKind::List)
-        return {timesDefault(p, 0.0), p.initial, timesDefault(p, 2.0)};
+        return {timesDefault(p, -1.0), p.initial, timesDefault(p, 2.0)};
     std::vector<Numbers> found;
     for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0})
         found.emplace_back(p.size, onSlider(p, share));
@@ -67,7 +67,7 @@ Numbers interiorPoint(const Parameter& p, std::size_t i)
     if (p.kind == ParameterKind::Choice)
         return {p.choices[i % p.choices.size()]};
     if (p.kind == ParameterKind::List)
-        return timesDefault(p, 2.0 * spreadOut(i, p.offset));
+        return timesDefault(p, 3.0 * spreadOut(i, p.offset) - 1.0);
     Numbers numbers;
     for (std::size_t k = 0; k < p.size; ++k)
         numbers.push_back(spreadOut(i, p.offset + k));

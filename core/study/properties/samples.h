@@ -11,8 +11,8 @@ namespace reflectance::properties {
 
 /// Flat values of a model: its defaults; the corners, where every parameter is at its low or its high end; each parameter
 /// at its landmarks, the others at their high ends; and `interior` points spread evenly in between. Numbers and colours
-/// run over their sliders. A matrix is taken as what a passive surface may have: no negative entry, no row sum above 1. A list
-/// is its default times 0 to 2.
+/// run over their sliders. A matrix is taken as what a passive surface may have: no negative entry, no row sum above 1.
+/// A list is its default times -1 to 2.
 [[nodiscard]] std::vector<std::vector<double>> parameterSamples(const ModelText& model, std::size_t interior);
 
 /// The defaults with one number at an end of its legal range, where that lies beyond the slider: n = 0, n = 1e7.

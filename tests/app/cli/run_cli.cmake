@@ -1,6 +1,6 @@
 # Runs the program as a user would, from another folder, and checks what came out.
 #   cmake -DPROGRAM=... -DFOLDER=... -DEXIT=0 [-DOUT=REGEX] [-DERR=REGEX] [-DINPUT=FILE] [-DMADE=FILE] [-DNOT_MADE=FILE]
-#         -P run_cli.cmake -- ARGS...
+#         [-DLINES=1] -P run_cli.cmake -- ARGS...
 set(arguments "")
 set(seen FALSE)
 foreach(index RANGE 1 ${CMAKE_ARGC})
@@ -34,11 +34,14 @@ if(ERR AND NOT err MATCHES "${ERR}")
   message(FATAL_ERROR "stderr does not match ${ERR}\nstderr:\n${err}")
 endif()
 if(EXIT EQUAL 2)
-  # Bad input is one sentence: one line that begins with the program's name.
+  # Bad input is one sentence: one line that begins with the program's name. Bad rows of a file have one each.
+  if(NOT LINES)
+    set(LINES 1)
+  endif()
   string(REGEX MATCHALL "\n" lines "${err}")
   list(LENGTH lines count)
-  if(NOT count EQUAL 1 OR NOT err MATCHES "^reflectance: ")
-    message(FATAL_ERROR "expected one line 'reflectance: ...' on stderr, found:\n${err}")
+  if(NOT count EQUAL LINES OR NOT err MATCHES "^reflectance: ")
+    message(FATAL_ERROR "expected ${LINES} line(s) 'reflectance: ...' on stderr, found:\n${err}")
   endif()
 endif()
 if(MADE AND NOT EXISTS "${FOLDER}/${MADE}")
