@@ -39,5 +39,7 @@ struct OracleAnswer {
 /// normal number of the arithmetic times the highlight's peak: below it, lanes and GPUs flush to zero.
 /// In float, |N.L| < 4 eps cannot be told from 0: 32 eps |I| is added there.
 [[nodiscard]] double ratioToBound(const OracleCase& c, const Vec3d& got, bool isDouble);
+/// The same with the oracle's answer at hand.
+[[nodiscard]] double ratioToBound(const OracleCase& c, const OracleAnswer& truth, const Vec3d& got, bool isDouble);
 
 } // namespace reflectance::test

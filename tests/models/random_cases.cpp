@@ -3,6 +3,7 @@
 #include "core/math/lobe.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <random>
 
@@ -111,6 +112,12 @@ Vec3d tilted(const Vec3d& v, double angle, double azimuth)
     const Vec3d across = normalized(cross(v, helper));
     const Vec3d other = cross(v, across);
     return std::cos(angle) * v + std::sin(angle) * (std::cos(azimuth) * across + std::sin(azimuth) * other);
+}
+
+std::size_t rowsPerModel(std::size_t usual)
+{
+    const char* asked = std::getenv("REFLECTANCE_ORACLE_ROWS");
+    return asked ? std::strtoul(asked, nullptr, 10) : usual;
 }
 
 std::vector<OracleCase> randomCases(const std::string& model, std::size_t count)

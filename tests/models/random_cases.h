@@ -12,6 +12,9 @@ namespace reflectance::test {
 /// of K of both signs. The same rows every time.
 [[nodiscard]] std::vector<OracleCase> randomCases(const std::string& model, std::size_t count);
 
+/// `usual`, or what REFLECTANCE_ORACLE_ROWS says: the thorough run asks for 100000.
+[[nodiscard]] std::size_t rowsPerModel(std::size_t usual);
+
 /// A unit vector that lies `angle` radians from the unit vector v, towards a direction chosen by `azimuth`.
 [[nodiscard]] Vec3d tilted(const Vec3d& v, double angle, double azimuth);
 

@@ -76,6 +76,38 @@ std::vector<Sample> grazing(const std::string& model, double angle)
     return samples;
 }
 
+/// Rough clay, light and viewer this far above the horizon, side by side: A g + B with sigma^2 = 0.36 and tan(beta) = 1/g.
+std::vector<Sample> bothGrazing(const std::string& model, double angle)
+{
+    std::vector<Sample> samples;
+    for (std::size_t i = 0; i < orientations; ++i) {
+        Question question{model, {{"rho", {1.0, 1.0, 1.0}}, {"sigma", {0.6}}}};
+        question.N = spread(i, orientations);
+        const Vec3d edge = tilted(question.N, 0.5 * std::numbers::pi, static_cast<double>(i));
+        question.L = question.V = std::cos(angle) * edge + std::sin(angle) * question.N;
+        samples.push_back({question, (1.0 - 0.18 / 0.69) * std::sin(angle) + 0.36 * std::cos(angle) * std::cos(angle)});
+    }
+    return samples;
+}
+
+/// The peak of GGX, where H = N and f0 = 1: 1 / (4 alpha^2 sqrt(alpha^2 + (1 - alpha^2) cos^2)).
+std::vector<Sample> facetPeak(const std::string& model, double alpha)
+{
+    std::vector<Sample> samples;
+    for (std::size_t i = 0; i < orientations; ++i) {
+        Question question{model, {{"alpha", {alpha}}, {"f0", {1.0, 1.0, 1.0}}}};
+        const auto azimuth = static_cast<double>(i);
+        const double angle = 0.2 + 0.03 * azimuth;
+        question.N = spread(i, orientations);
+        question.L = tilted(question.N, angle, azimuth);
+        question.V = tilted(question.N, angle, azimuth + std::numbers::pi);
+        const double square = alpha * alpha;
+        const double cosine = std::cos(angle);
+        samples.push_back({question, 0.25 / (square * std::sqrt(square + (1.0 - square) * cosine * cosine))});
+    }
+    return samples;
+}
+
 /// A light's disc of this radius in a mirror: seen a tenth inside its rim, not seen a tenth outside.
 std::vector<Sample> smallDisc(const std::string& model, double radius)
 {
@@ -96,6 +128,8 @@ std::vector<Sample> longVectors(const std::string& model, double size)
     const double scale = std::ldexp(1.0, std::ilogb(size));
     std::vector<Sample> samples = model == "mirror"                       ? smallDisc(model, 0.3)
                                   : model == "phong" || model == "hybrid" ? offThePeak(model, 2.0, 0.5)
+                                  : model == "ggx"                        ? facetPeak(model, 0.5)
+                                  : model == "oren_nayar"                 ? bothGrazing(model, 0.8)
                                                                           : grazing(model, 0.8);
     for (Sample& sample : samples)
         for (Vec3d* v : {&sample.question.N, &sample.question.L, &sample.question.V})
@@ -111,6 +145,10 @@ std::vector<Sweep> sweepsOf(const std::string& model)
                   {"n at half the peak", powersOfTen(0, 7), atHalfThePeak}};
     else if (model == "mirror")
         sweeps = {{"radius of a light, rad", powersOfTen(-1, -15), smallDisc}};
+    else if (model == "oren_nayar")
+        sweeps = {{"light and viewer above the horizon, rad", powersOfTen(0, -15), bothGrazing}};
+    else if (model == "ggx")
+        sweeps = {{"alpha at the peak", powersOfTen(0, -4), facetPeak}};
     else
         sweeps = {{"light above the horizon, rad", powersOfTen(0, -15), grazing}};
     sweeps.push_back({"length of N, L, V, growing", powersOfTen(0, 300), longVectors});

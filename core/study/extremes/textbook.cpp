@@ -9,10 +9,14 @@
 namespace reflectance {
 namespace {
 
+template <class T> Vec3<T> textbookUnit(const Vec3<T>& v)
+{
+    return v / std::sqrt(dot(v, v));
+}
+
 template <class T> Vec3<T> textbookNormalized(const Vec3d& v)
 {
-    const Vec3<T> rounded(v);
-    return rounded / std::sqrt(dot(rounded, rounded));
+    return textbookUnit(Vec3<T>(v));
 }
 
 /// The values of one parameter, or nothing.
@@ -34,6 +38,40 @@ template <class T> Vec3<T> diffuse(const Model& model, std::span<const double> v
     return matrix * I;
 }
 
+/// A and B with the angles spelled out: acos, sin and tan.
+template <class T>
+Vec3<T> orenNayar(const Model& model, std::span<const double> values, const Vec3<T>& N, const Vec3<T>& L,
+                  const Vec3<T>& V)
+{
+    const auto rho = numbersOf(model, values, "rho");
+    const T variance = static_cast<T>(numbersOf(model, values, "sigma")[0] * numbersOf(model, values, "sigma")[0]);
+    const T A = T(1) - T(0.5) * variance / (variance + T(0.33));
+    const T B = T(0.45) * variance / (variance + T(0.09));
+    const T angleL = std::acos(dot(N, L));
+    const T angleV = std::acos(dot(N, V));
+    const T azimuth = dot(textbookUnit(L - dot(N, L) * N), textbookUnit(V - dot(N, V) * N));
+    const T bracket =
+        A + B * std::max(T(0), azimuth) * std::sin(std::max(angleL, angleV)) * std::tan(std::min(angleL, angleV));
+    return dot(N, L) * bracket * Vec3<T>(Vec3d(rho[0], rho[1], rho[2]));
+}
+
+/// D with its denominator (N.H)^2 (alpha^2 - 1) + 1 as printed.
+template <class T>
+Vec3<T> ggx(const Model& model, std::span<const double> values, const Vec3<T>& N, const Vec3<T>& L, const Vec3<T>& V)
+{
+    const T square = static_cast<T>(numbersOf(model, values, "alpha")[0] * numbersOf(model, values, "alpha")[0]);
+    const auto f0 = numbersOf(model, values, "f0");
+    const Vec3<T> H = textbookUnit(L + V);
+    const T li = dot(N, L);
+    const T lv = dot(N, V);
+    const T denominator = dot(N, H) * dot(N, H) * (square - T(1)) + T(1);
+    const T visible = T(0.5) / (lv * std::sqrt(square + (T(1) - square) * li * li) +
+                                li * std::sqrt(square + (T(1) - square) * lv * lv));
+    const T grazing = std::pow(T(1) - dot(V, H), T(5));
+    const Vec3<T> start(Vec3d(f0[0], f0[1], f0[2]));
+    return square / (denominator * denominator) * visible * li * (start + grazing * (Vec3<T>(T(1)) - start));
+}
+
 template <class T>
 Vec3<T> shaded(const Model& model, std::span<const double> values, const Observation& row, const ObservedLight& light)
 {
@@ -44,6 +82,10 @@ Vec3<T> shaded(const Model& model, std::span<const double> values, const Observa
     const T cosine = dot(N, L);
     if (cosine <= T(0)) // NaN goes on, as it does in programs that clamp with max
         return {};
+    if (model.id() == "oren_nayar" || model.id() == "ggx")
+        return dot(N, V) <= T(0)     ? Vec3<T>()
+               : model.id() == "ggx" ? ggx(model, values, N, L, V) * I
+                                     : orenNayar(model, values, N, L, V) * I;
     const T reflected = dot(mirrored(N, L), V);
     if (const auto reflectance = numbersOf(model, values, "reflectance"); !reflectance.empty())
         return reflected > T(1) - static_cast<T>(0.5 * squaredChord(light.radius)) ? static_cast<T>(reflectance[0]) * I
@@ -87,6 +129,11 @@ Model inGlsl(const Model& model)
     text.parameters.push_back(length);
     replace(text.code, "lobe(mirrored(N, L), V, n)", "pow(max(dot(mirrored(N, L), V), 0.0), n)");
     replace(text.code, "insideLight(mirrored(N, L), V)", "gate(dot(mirrored(N, L), V) - (1.0 - 0.5 * lightDisc), 1.0)");
+    replace(text.code, "max(0.0, dot(L, V) - li * lv) / max(li, lv)",
+            "max(0.0, dot(normalize(L - li * N), normalize(V - lv * N))) * sin(max(acos(li), acos(lv))) *\n"
+            "                    tan(min(acos(li), acos(lv)))");
+    replace(text.code, "dot(slant, slant) + square * (nh * nh)", "nh * nh * (square - 1.0) + 1.0");
+    replace(text.code, "halfway(L, V)", "normalize(L + V)");
     replace(text.code, "vec3 shade(", "vec3 shadeUnit(");
     text.code += "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I)\n{\n"
                  "    return shadeUnit(normalize(textbookLength * N), normalize(textbookLength * L),\n"
@@ -98,7 +145,7 @@ Model inGlsl(const Model& model)
 
 bool hasTextbookForm(const Model& model)
 {
-    constexpr std::string_view known[] = {"lambert", "lambert_color", "mirror", "phong", "hybrid"};
+    constexpr std::string_view known[] = {"lambert", "lambert_color", "oren_nayar", "mirror", "phong", "hybrid", "ggx"};
     return std::ranges::count(known, model.id()) > 0;
 }
 
