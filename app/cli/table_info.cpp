@@ -9,6 +9,7 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace reflectance::cli {
 namespace {
@@ -17,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 double degrees(double angle)
 {
-    return angle / radians(1.0);
+    return angle * 180.0 / std::numbers::pi;
 }
 
 /// Everything that `info` reports, measured once.

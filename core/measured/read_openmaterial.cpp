@@ -42,6 +42,25 @@ long lineAt(std::string_view text, std::size_t byte)
     return 1 + std::count(text.begin(), end, '\n');
 }
 
+/// A table nests four deep. A megabyte of open brackets would take a hundred as a tree, so depth is counted before.
+bool nestsTooDeep(std::string_view text)
+{
+    constexpr int most = 16;
+    int depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < text.size() && depth <= most; ++i) {
+        if (text[i] == '"')
+            inString = !inString;
+        else if (inString)
+            i += text[i] == '\\' ? 1 : 0;
+        else if (text[i] == '[' || text[i] == '{')
+            ++depth;
+        else if (text[i] == ']' || text[i] == '}')
+            --depth;
+    }
+    return depth > most;
+}
+
 /// Whether three wavelengths stand for the colour itself.
 bool isColour(const std::vector<double>& nm)
 {
@@ -175,10 +194,11 @@ private:
 
 Result<Measurement> readOpenMaterial(std::string_view text, const ReadContext& context)
 {
+    if (nestsTooDeep(text))
+        return Error{"is no OpenMATERIAL 3D BRDF table: its brackets nest deeper than one does", context.file};
     Json json;
     try {
-        // A table nests four deep; deeper brackets are read and dropped, whatever their number.
-        json = Json::parse(text, [](int depth, Json::parse_event_t, const Json&) { return depth < 8; });
+        json = Json::parse(text);
     } catch (const Json::parse_error& error) {
         return Error{"is not valid JSON: a comma, bracket or quote is wrong here", context.file,
                      lineAt(text, error.byte)};

@@ -70,6 +70,7 @@ std::vector<Refused> refusedFiles()
         {"cornell: a false count", replaced(cornellFile(), "3\n450", "1000000000000\n450"), "do not ascend"},
         {"cornell: degrees", replaced(cornellFile(), "0.7 0 0.7", "40 0 40"), "is 40 radians"},
         {"json: no json", "{\"metadata\": \n", "a.table:"},
+        {"json: brackets without end", std::string(1000, '['), "nest deeper than one does"},
         {"json: another json", "{\"mesh\": \"mug\"}", "it has no list brdf.lookupTable"},
         {"json: a word in a row", replaced(json, "[5.5e-7, 1, 0, 0, 0.3]", "[5.5e-7, 1, \"0\", 0, 0.3]"),
          "row 5 of its look-up table: its column 3 must be a number"},
