@@ -36,6 +36,10 @@ TEST(Library, ANameOfItsOwnIsEnoughAndAWrongOneIsCorrected)
     ASSERT_FALSE(missing);
     EXPECT_THAT(missing.error().message, HasSubstr("'velvet'"));
     EXPECT_TRUE(findSurface("curet_oren_nayar/velvet"));
+    EXPECT_TRUE(findSurface("Gold"));
+    const auto several = findSurface("nickel");
+    ASSERT_FALSE(several) << "three fits of one material";
+    EXPECT_THAT(several.error().message, HasSubstr("ngan_blinn_phong/nickel, ngan_ward/nickel, ngan_cook_torrance/nickel"));
 }
 
 TEST(Library, ASearchWantsEveryWordAndAsksNameGroupAndSource)
