@@ -81,8 +81,9 @@ template <class Ask> double worstTurn(const std::vector<OracleCase>& cases, cons
         r.V = turned(c.V);
         const Vec3d difference = ask(r) - ask(c);
         const OracleAnswer truth = oracle(c, eps);
+        const double lost = flushed(c, truth, eps < 0x1p-40);
         const auto units = [&](double d, double s, double v) {
-            return std::fabs(d) / (8.0 * eps * (s + std::fabs(v)) + 1e-30);
+            return std::fabs(d) / (8.0 * eps * (s + std::fabs(v)) + lost + 1e-30);
         };
         worst = std::max({worst, units(difference.x, truth.sensitivity.x, truth.value.x),
                           units(difference.y, truth.sensitivity.y, truth.value.y),

@@ -49,6 +49,11 @@ Real stepOf(const Inputs& inputs, std::size_t i, double share)
     return sqrt(dot(v, v)) * share;
 }
 
+double brightestOf(const OracleCase& c)
+{
+    return std::max({std::fabs(c.I.x), std::fabs(c.I.y), std::fabs(c.I.z)});
+}
+
 } // namespace
 
 OracleAnswer oracle(const OracleCase& c, double eps)
@@ -80,13 +85,18 @@ double ratioToBound(const OracleCase& c, const Vec3d& got, bool isDouble)
     return ratioToBound(c, oracle(c, isDouble ? 0x1p-53 : 0x1p-24), got, isDouble);
 }
 
+double flushed(const OracleCase& c, const OracleAnswer& truth, bool isDouble)
+{
+    const double peak = std::max(1.0, brightestOf(c) * truth.height);
+    // Twice, because the lanes cut one percent above the smallest normal number, to be safe in exp.
+    return 2.0 * (isDouble ? 0x1p-1022 : 0x1p-126) * peak;
+}
+
 double ratioToBound(const OracleCase& c, const OracleAnswer& truth, const Vec3d& got, bool isDouble)
 {
     const double eps = isDouble ? 0x1p-53 : 0x1p-24;
-    const double light = std::max({std::fabs(c.I.x), std::fabs(c.I.y), std::fabs(c.I.z)});
-    const double peak = std::max(1.0, light * truth.height);
-    // Twice, because the lanes cut one percent above the smallest normal number, to be safe in exp.
-    double allowance = 2.0 * (isDouble ? 0x1p-1022 : 0x1p-126) * peak;
+    const double light = brightestOf(c);
+    double allowance = flushed(c, truth, isDouble);
     if (!isDouble && std::fabs(reflectance::dot(normalized(c.N), normalized(c.L))) < 4.0 * eps)
         allowance += 32.0 * eps * light;
     const auto ratio = [&](double g, double value, double remainder, double sensitivity) {

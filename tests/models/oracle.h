@@ -35,6 +35,10 @@ struct OracleAnswer {
 /// `eps` is the unit roundoff of the arithmetic under test: 2^-53 or 2^-24.
 [[nodiscard]] OracleAnswer oracle(const OracleCase& c, double eps);
 
+/// What may be lost of the value because lanes and GPUs flush an exponential to zero below the smallest normal number: that
+/// number times what multiplies it, the light and the highlight's height.
+[[nodiscard]] double flushed(const OracleCase& c, const OracleAnswer& truth, bool isDouble);
+
 /// |got - true| / (32 (kappa + 1) eps |true| + floor), the largest of the three channels. The floor is the smallest
 /// normal number of the arithmetic times the highlight's peak: below it, lanes and GPUs flush to zero.
 /// In float, |N.L| < 4 eps cannot be told from 0: 32 eps |I| is added there.
