@@ -169,6 +169,14 @@ std::string surfacesText(const Survey& survey, double tolerance)
     return text + "\n";
 }
 
+/// What writes the page anew: the weighting is part of the answer.
+std::string commandFor(const FitOptions& options)
+{
+    return std::string("reflectance fit FOLDER... --all") + (options.cosine ? " --cosine" : "") +
+           (options.weighting == Weighting::Logarithmic ? " --weights log" : "") + (options.robust ? " --robust" : "") +
+           " --markdown real-surfaces.md";
+}
+
 } // namespace
 
 std::string pageOf(const Survey& survey, double tolerance, const std::string& images)
@@ -177,8 +185,8 @@ std::string pageOf(const Survey& survey, double tolerance, const std::string& im
         "# Real surfaces\n\n"
         "The lecture asks whether hybrid reflectance describes real objects, and answers: yes for shiny ones, "
         "yes for perfectly matte ones, no for the surfaces in the middle. This page asks measurements. The "
-        "program wrote it: `reflectance fit FOLDER --all --markdown real-surfaces.md`, given folders with "
-        "the measurements, writes it anew.\n\n## The answer\n\n" +
+        "program wrote it: `" +
+        commandFor(survey.options) + "`, given folders with the measurements, writes it anew.\n\n## The answer\n\n" +
         answerText(survey, tolerance) + dataText(survey, tolerance);
     for (const Drawing& drawing : drawingsOf(survey, tolerance))
         text += "![" + drawing.says + "](" + images + drawing.name + ".svg)\n\n" + drawing.says + "\n\n";

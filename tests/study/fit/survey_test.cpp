@@ -130,6 +130,10 @@ TEST(Survey, ThePageGivesTheAnswerAndLinksItsDrawings)
         EXPECT_FALSE(drawing.chart.series.empty()) << drawing.name;
     }
     EXPECT_THAT(page, HasSubstr("| matte | 392 |"));
+    Survey weighted = theSurvey(); // the command that is printed must give the same figures
+    weighted.options.cosine = true;
+    weighted.options.weighting = Weighting::Logarithmic;
+    EXPECT_THAT(pageOf(weighted, 0.05, ""), HasSubstr("FOLDER... --all --cosine --weights log --markdown"));
 }
 
 TEST(Survey, RefusesWhatIsNoMeasurement)
