@@ -28,6 +28,7 @@ struct Options {
     std::string context = "any";
     std::string shading = "pixel";
     std::string lens;
+    std::string lobe = "conditioned";
     int frames = 1;
     std::string reference;
     double threshold = 0.0;
@@ -41,6 +42,10 @@ Result<RenderPlan> planFrom(const Options& options)
     plan.context = contextNamed(options.context);
     plan.frames = options.frames;
     plan.shading = options.shading == "vertex" ? Shading::Vertex : Shading::Pixel;
+    const auto lobe = lobeFormNamed(options.lobe);
+    if (!lobe)
+        return lobe.error();
+    plan.lobe = *lobe;
     if (options.precision.empty())
         return plan;
     if (options.precision == "glsl")
@@ -67,12 +72,24 @@ nlohmann::ordered_json report(const Options& options, const Scene& scene, const 
             {"triangles", scene.mesh->triangles.size()},
             {"backend", rendered.backend},
             {"precision", rendered.precision},
+            {"lobe", options.lobe},
             {"first_frame_ms", rendered.firstFrameMilliseconds},
             {"shading_ms", rendered.shadingMilliseconds},
             {"negative_pixels", counts.negative},
             {"clipped_pixels", counts.clipped},
             {"non_finite_pixels", counts.nonFinite},
             {"left_out", leftOut(scene)}};
+}
+
+/// A form of the lobe asks for a model that has one, and may not be made for its exponent.
+Result<void> checkLobe(const Scene& scene, LobeForm lobe)
+{
+    const ModelText& text = modelOf(scene).text;
+    if (lobe == LobeForm::Conditioned)
+        return {};
+    if (!text.usesLobe)
+        return Error{"--lobe is for models with a highlight (R.V)^n, and " + text.id + " has none; leave it out"};
+    return checkExponent(lobe, valuesOf(scene)[text.find("n")->offset]);
 }
 
 int compareWithReference(const Options& options, const Image& image)
@@ -109,11 +126,10 @@ Result<void> checkLens(const Options& options)
 {
     if (!options.out.ends_with(".png"))
         return Error{"--lens paints a PNG; name the output .png"};
-    const std::pair<const char*, bool> others[] = {{"--precision", !options.precision.empty()},
-                                                   {"--backend", options.backend != "auto"},
-                                                   {"--shading", options.shading != "pixel"},
-                                                   {"--frames", options.frames != 1},
-                                                   {"--reference", !options.reference.empty()}};
+    const std::pair<const char*, bool> others[] = {
+        {"--precision", !options.precision.empty()}, {"--backend", options.backend != "auto"},
+        {"--shading", options.shading != "pixel"},   {"--lobe", options.lobe != "conditioned"},
+        {"--frames", options.frames != 1},           {"--reference", !options.reference.empty()}};
     for (const auto& [flag, given] : others)
         if (given)
             return Error{std::string("--lens compares one arithmetic with double; leave ") + flag + " out"};
@@ -151,6 +167,8 @@ int run(const Options& options)
     const auto scene = sceneFrom(options.scene);
     if (!scene)
         return refused(scene.error());
+    if (const auto fits = checkLobe(*scene, plan->lobe); !fits)
+        return refused(fits.error());
     if (!options.lens.empty())
         return runLens(options, *scene, *settings);
     const auto rendered = renderWatched(*scene, *settings, *plan);
@@ -191,6 +209,11 @@ void addRender(CLI::App& program, int& exitCode)
             "--shading", options->shading,
             "where the model is evaluated: pixel (at every sample) or vertex (interpolated over triangles; CPU)")
         ->check(CLI::IsMember({"pixel", "vertex"}))
+        ->capture_default_str();
+    verb->add_option(
+            "--lobe", options->lobe,
+            "how a highlight's (R.V)^n is computed: conditioned (right), power, squarings (whole n), truncated, "
+            "schlick or table")
         ->capture_default_str();
     verb->add_option("--lens", options->lens,
                      "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")

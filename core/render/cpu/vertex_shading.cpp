@@ -41,10 +41,10 @@ Vec3d barycentrics(const Vec3d& P, const Vec3d& a, const Vec3d& b, const Vec3d& 
 /// The colours of the mesh's vertices, seen from its outside and from its inside.
 class VertexColors {
 public:
-    VertexColors(const ViewSamples& samples, const Scene& scene, Precision precision)
+    VertexColors(const ViewSamples& samples, const Scene& scene, const Arithmetic& arithmetic)
         : samples_(samples), mesh_(*scene.mesh),
-          outside_(shadeSamples(vertexSamples(mesh_, samples.eye, 1.0), scene, precision)),
-          inside_(shadeSamples(vertexSamples(mesh_, samples.eye, -1.0), scene, precision))
+          outside_(shadeSamples(vertexSamples(mesh_, samples.eye, 1.0), scene, arithmetic)),
+          inside_(shadeSamples(vertexSamples(mesh_, samples.eye, -1.0), scene, arithmetic))
     {
     }
 
@@ -76,9 +76,9 @@ private:
 
 } // namespace
 
-Image shadePerVertex(const ViewSamples& samples, const Scene& scene, Precision precision)
+Image shadePerVertex(const ViewSamples& samples, const Scene& scene, const Arithmetic& arithmetic)
 {
-    const VertexColors colors(samples, scene, precision);
+    const VertexColors colors(samples, scene, arithmetic);
     Image image(samples.settings.width, samples.settings.height);
     const auto sum = [&](std::size_t first, std::span<Vec3d> sums) {
         for (std::size_t i = 0; i < sums.size(); ++i)

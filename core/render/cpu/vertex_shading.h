@@ -8,6 +8,6 @@ namespace reflectance {
 
 /// Gouraud, Continuous Shading of Curved Surfaces, IEEE Trans. Computers C-20(6), 1971. Each side of the surface has its
 /// own vertex colours, since the normal turns to the viewer's side.
-[[nodiscard]] Image shadePerVertex(const ViewSamples& samples, const Scene& scene, Precision precision);
+[[nodiscard]] Image shadePerVertex(const ViewSamples& samples, const Scene& scene, const Arithmetic& arithmetic);
 
 } // namespace reflectance

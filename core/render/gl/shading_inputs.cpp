@@ -4,10 +4,10 @@
 
 namespace reflectance {
 
-ShadingInputs shadingInputsOf(const Scene& scene)
+ShadingInputs shadingInputsOf(const Scene& scene, LobeForm lobe)
 {
-    ShadingInputs inputs{requirementsOf(scene), valuesOf(scene), lightTexels(shiningLights(scene)), scene.environment,
-                         scene.background, nullptr};
+    ShadingInputs inputs{requirementsOf(scene, lobe), valuesOf(scene),  lightTexels(shiningLights(scene)),
+                         scene.environment,           scene.background, nullptr};
     if (inputs.requirements.table)
         inputs.table = scene.surface.table;
     const bool seen = inputs.requirements.environment || inputs.requirements.environmentBackground;

@@ -21,6 +21,6 @@ struct ShadingInputs {
     friend bool operator==(const ShadingInputs&, const ShadingInputs&) = default;
 };
 
-[[nodiscard]] ShadingInputs shadingInputsOf(const Scene& scene);
+[[nodiscard]] ShadingInputs shadingInputsOf(const Scene& scene, LobeForm lobe);
 
 } // namespace reflectance

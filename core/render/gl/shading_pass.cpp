@@ -29,7 +29,7 @@ std::vector<std::string> definesFor(const Requirements& r)
 
 ShaderSource sourceFor(const Requirements& r, const ModelText& model)
 {
-    std::vector<ShaderPiece> pieces = modelPieces(model, r.table);
+    std::vector<ShaderPiece> pieces = modelPieces(model, r.table, r.lobe);
     if (r.holes)
         pieces.push_back(shaderFile("measured/holes.glsl"));
     if (r.environment || r.environmentBackground) {
@@ -47,8 +47,7 @@ ShaderSource sourceFor(const Requirements& r, const ModelText& model)
 } // namespace
 
 ShadingPass::ShadingPass(const Gl& gl)
-    : gl_(&gl), linear_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl), lights_(gl), environmentMap_(gl),
-      table_(gl)
+    : gl_(&gl), linear_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl), lights_(gl), environmentMap_(gl), table_(gl)
 {
 }
 
@@ -119,7 +118,10 @@ Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs&
     if (inputs.table)
         if (auto shown = table_.show(program, inputs.table, Unit::MeasuredTexels); !shown)
             return shown;
-    uploadParameters(program, (*findModel(inputs.requirements.model))->text, inputs.values);
+    const ModelText& model = (*findModel(inputs.requirements.model))->text;
+    uploadParameters(program, model, inputs.values);
+    if (inputs.requirements.lobe == LobeForm::Table)
+        uploadLobeTable(program, model, inputs.values);
     linear_.bind();
     gl_->BindVertexArray(noVertices_.id());
     gl_->DrawArrays(GL_TRIANGLES, 0, 3);

@@ -38,11 +38,12 @@ template <class Shade> double medianMilliseconds(int repetitions, Shade shade)
 void renderFrames(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan, Progress* progress,
                   Rendered& rendered)
 {
+    const Arithmetic arithmetic(plan.precision, plan.lobe);
     const Clock::time_point start = Clock::now();
     const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, settings, progress);
     const auto shade = [&] {
-        rendered.image = plan.shading == Shading::Vertex ? shadePerVertex(samples, scene, plan.precision)
-                                                         : shadeSamples(samples, scene, plan.precision);
+        rendered.image = plan.shading == Shading::Vertex ? shadePerVertex(samples, scene, arithmetic)
+                                                         : shadeSamples(samples, scene, arithmetic);
     };
     shade();
     rendered.firstFrameMilliseconds = millisecondsSince(start);
@@ -59,7 +60,7 @@ Result<Rendered> renderByCpu(const Scene& scene, const RenderSettings& settings,
         rendered.precision += std::string(" (") + lanesName() + ")";
     if (plan.frames == 1 && plan.shading == Shading::Pixel) { // in bands, which keeps huge pictures small in memory
         const Clock::time_point start = Clock::now();
-        rendered.image = renderOnCpu(scene, settings, plan.precision, progress);
+        rendered.image = renderOnCpu(scene, settings, {plan.precision, plan.lobe}, progress);
         rendered.firstFrameMilliseconds = millisecondsSince(start);
     } else {
         renderFrames(scene, settings, plan, progress, rendered);
@@ -79,14 +80,14 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
     auto renderer = GlRenderer::create(context.loader());
     if (!renderer)
         return renderer.error();
-    if (const auto drawn = renderer->render(scene, settings); !drawn)
+    if (const auto drawn = renderer->render(scene, settings, plan.lobe); !drawn)
         return drawn.error();
     renderer->finish();
     rendered.firstFrameMilliseconds = millisecondsSince(start);
     Result<void> last;
     rendered.shadingMilliseconds = medianMilliseconds(plan.frames - 1, [&] {
         renderer->invalidateShading();
-        last = renderer->render(scene, settings);
+        last = renderer->render(scene, settings, plan.lobe);
         renderer->finish();
     });
     if (!last)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/image/image.h"
-#include "core/reflectance/precision.h"
+#include "core/reflectance/arithmetic.h"
 #include "core/render/cpu/cpu_renderer.h"
 #include "core/render/headless/headless_context.h"
 #include "core/render/settings.h"
@@ -24,6 +24,7 @@ struct RenderPlan {
     ContextKind context = ContextKind::Any;
     int frames = 1; ///< shadings; more than one for timing
     Shading shading = Shading::Pixel;
+    LobeForm lobe = LobeForm::Conditioned;
 };
 
 struct Rendered {
