@@ -21,6 +21,8 @@ struct BeforeClay {
     Camera camera;
     bool comparing = false;
     CompareMode mode = CompareMode::SideBySide;
+
+    friend bool operator==(const BeforeClay&, const BeforeClay&) = default;
 };
 
 struct CompareView {

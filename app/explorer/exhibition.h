@@ -1,7 +1,7 @@
 // A hazard's case in the place of the user's scene, which waits untouched until it comes back.
 #pragma once
 
-#include "core/scene/scene.h"
+#include "core/scene/same_scene.h"
 #include "core/study/extremes/extremes.h"
 
 #include <string>
@@ -16,6 +16,8 @@ struct PutAside {
     int selectedLight = 0, soloLight = -1;
     bool turntable = false;
     std::string title, caption; ///< of the case that is shown
+
+    friend bool operator==(const PutAside&, const PutAside&) = default;
 };
 
 /// Shows the finding's case. One that cannot be shown changes nothing but the message, which says why.

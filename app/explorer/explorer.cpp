@@ -1,14 +1,14 @@
 #include "app/explorer/explorer.h"
 
-#include "app/explorer/fits.h"
 #include "app/explorer/differences.h"
+#include "app/explorer/fits.h"
 #include "app/explorer/frame_pace.h"
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
 #include "app/explorer/requests.h"
-#include "app/explorer/thumbnails.h"
 #include "app/explorer/session.h"
+#include "app/explorer/thumbnails.h"
 #include "app/explorer/trust_view.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/user_folders.h"
@@ -165,6 +165,13 @@ void keepSession(Session& session)
         session.state.message = Message{"The session is not kept against a crash: " + problem->sentence(), true};
 }
 
+void noteHistory(Session& session)
+{
+    ExplorerState& state = session.state;
+    const bool busy = session.viewport.dragging() || ImGui::IsAnyItemActive();
+    state.history.watch(state, {busy, state.turntable, state.loading.has_value()}, Clock::now());
+}
+
 void titleWindow(Session& session)
 {
     const Scene& scene = session.state.scene;
@@ -191,6 +198,7 @@ void drawOnce(Session& session)
     tryNextHazard(session);
     pollFit(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
+    noteHistory(session);
     keepSession(session);
     titleWindow(session);
 }
@@ -275,6 +283,7 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
         session.state.message = Message{preferences.error().sentence(), true};
     openAtStart(session, options);
     session.autosave.settle(session.state.scene);
+    noteHistory(session);
     runLoop(session);
     session.autosave.end();
     keepPreferences(session);

@@ -75,14 +75,19 @@ void escape(ExplorerState& state)
         requestForOffered(state, Kind::Dismiss);
 }
 
-void pressWithControl(const std::string& key, ExplorerState& state)
+void pressWithControl(const KeyPress& pressed, ExplorerState& state)
 {
+    const std::string& key = pressed.key;
     if (key == "o")
         request(state, Kind::OpenDialog);
     else if (key == "s")
         request(state, Kind::SaveScene);
     else if (key == "r")
         requestForOffered(state, Kind::OpenFile);
+    else if (key == "y" || (key == "z" && pressed.shift))
+        request(state, Kind::Redo);
+    else if (key == "z")
+        request(state, Kind::Undo);
     else if (key == "q")
         request(state, Kind::Quit);
     else if (key == "F12")
@@ -129,7 +134,7 @@ void press(const KeyPress& key, ExplorerState& state)
     if (state.showFileBrowser && isCharacter)
         return; // the dialog has the keyboard
     if (key.control)
-        pressWithControl(key.key, state);
+        pressWithControl(key, state);
     else
         pressAlone(key, state);
 }

@@ -94,6 +94,20 @@ void saveText(Session& session, const fs::path& name, const std::string& text)
     tell(session, "Saved: " + path.string());
 }
 
+/// A stroke that is under way would write over what comes back.
+void travel(Session& session, const Request& request)
+{
+    if (session.viewport.dragging())
+        return;
+    ExplorerState& state = session.state;
+    if (request.kind == Request::Kind::Undo)
+        state.history.undo(state);
+    else if (request.kind == Request::Kind::Redo)
+        state.history.redo(state);
+    else
+        state.history.go(std::stoul(request.path), state);
+}
+
 void serve(Session& session, const Request& request)
 {
     using Kind = Request::Kind;
@@ -134,6 +148,11 @@ void serve(Session& session, const Request& request)
         break;
     case Kind::TogglePage:
         togglePage(session.state, std::stoi(request.path));
+        break;
+    case Kind::Undo:
+    case Kind::Redo:
+    case Kind::GoToStep:
+        travel(session, request);
         break;
     case Kind::Quit:
         session.quit = true;

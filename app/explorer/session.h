@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/explorer/autosave.h"
-#include "app/explorer/background.h"
+#include "app/explorer/worker.h"
 #include "app/explorer/file_loader.h"
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/second_view.h"
@@ -28,15 +28,15 @@ struct Session {
     Viewport viewport;
     SecondView second{Window::loader(), Window::wake};
     FileLoader loader{Window::wake};
-    Background<Prices> prices{Window::wake};
+    Worker<Prices> prices{Window::wake};
     Trust trust{Window::wake};
-    Background<FitOutcome> fit{Window::wake};
-    Background<std::vector<Thumbnail>> thumbnails{Window::wake};
+    Worker<FitOutcome> fit{Window::wake};
+    Worker<std::vector<Thumbnail>> thumbnails{Window::wake};
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
     Autosave autosave{stateFolder()};
 
-    Background<TableFacts> tableFacts{Window::wake};
+    Worker<TableFacts> tableFacts{Window::wake};
     std::shared_ptr<const MeasuredTable> tableAsked; ///< that the facts were last asked of
 
     std::deque<std::string> toOpen;           ///< files that wait for the one being read

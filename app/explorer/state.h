@@ -2,10 +2,11 @@
 // frame loop draws it. No GL and no ImGui in here.
 #pragma once
 
-#include "app/explorer/exhibition.h"
 #include "app/explorer/comparison.h"
+#include "app/explorer/exhibition.h"
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/fit_study.h"
+#include "app/explorer/history.h"
 #include "app/explorer/surface_shelf.h"
 #include "app/explorer/table_study.h"
 #include "app/explorer/ui/panel_memory.h"
@@ -39,6 +40,9 @@ struct Request {
         CancelLoading,
         LeaveCase,
         TogglePage,
+        Undo,
+        Redo,
+        GoToStep,
         Dismiss,
         Quit
     };
@@ -46,7 +50,7 @@ struct Request {
     /// OpenFile: a mesh, scene, environment or measurement, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
     /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
     /// session; OpenFile restores it. SaveText: a name such as "curves.svg", made unique in the pictures folder.
-    /// TogglePage: the number of a page of the workbench, from 0.
+    /// TogglePage: the number of a page of the workbench, from 0. GoToStep: an index into the history's steps.
     std::string path;
     std::string text = {}; ///< SaveText: what is written
 };
@@ -104,6 +108,7 @@ struct ColourPage {
 struct ExplorerState {
     Scene scene;
     CompareView compare;
+    History history;
     SurfaceShelf shelf;
     int selectedLight = 0; ///< index into scene.lights, -1 for none
     int soloLight = -1;    ///< only this light shines; -1 for all

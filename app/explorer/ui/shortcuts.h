@@ -30,6 +30,7 @@ inline constexpr Shortcut shortcutTable[] = {
     {"Values", "double-click a slider", "back to the default"},
     {"Values", "M, Shift+M", "next or previous model; values stay"},
     {"Values", "Tab, arrow keys, Space", "reach and change controls without the mouse"},
+    {"Values", "Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y", "undo, redo; the arrow beside them lists every step"},
     {"Compare", "C", "two surfaces A and B, or one again"},
     {"Compare", "X", "the hand from A to B and back; flips the picture in Flip"},
     {"Compare", "B", "clay, Lambert beside Oren-Nayar; once more brings back what was there"},
