@@ -1,5 +1,5 @@
 // The program: verbs for scripts, and without a verb the explorer.
-#include "app/cli/scene_options.h"
+#include "app/cli/render_options.h"
 #include "app/cli/verbs.h"
 #include "app/explorer/explorer.h"
 #include "core/render/pictures/render_picture.h"
@@ -18,6 +18,11 @@ constexpr const char* description =
     "Understand, compare and trust reflectance models: illumination -> surface reflectance -> sensor.\n"
     "Without a verb the explorer opens, on the mesh or scene named, else on a clay mug.";
 
+Notes notesFor(const Scene& scene, const Rendered& rendered)
+{
+    return keptNotes(scene, recipeFrom(RenderOptions(), RenderSettings(), rendered.backend, rendered.precision), {});
+}
+
 /// Without a display the default view goes to a picture, and the user learns how to get others.
 int renderInstead(const std::string& input, const std::optional<std::string>& environment)
 {
@@ -31,7 +36,7 @@ int renderInstead(const std::string& input, const std::optional<std::string>& en
     const auto rendered = renderPicture(*scene, RenderSettings(), RenderPlan());
     if (!rendered)
         return refused(rendered.error());
-    const auto saved = savePicture(out, rendered->image, scene->sensor);
+    const auto saved = savePicture(out, rendered->image, scene->sensor, notesFor(*scene, *rendered));
     if (!saved)
         return refused(saved.error());
     std::cerr << "reflectance: there is no display to open a window on, so the view was rendered to " << out
@@ -55,7 +60,8 @@ int run(int argc, char** argv)
     CLI::App program(description, "reflectance");
     program.set_version_flag("--version", std::string("reflectance ") + REFLECTANCE_VERSION);
     std::string input;
-    program.add_option("input", input, "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json)");
+    program.add_option("input", input,
+                       "mesh (OBJ, PLY, OFF, STL), stock mesh name, scene file (.json) or saved picture (.png, .exr)");
     std::optional<std::string> environment;
     program.add_option("--environment", environment, "latitude-longitude picture (.exr, .hdr) around the object");
     int exitCode = Done;

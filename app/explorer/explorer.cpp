@@ -153,7 +153,7 @@ void saveAskedWindowPicture(Session& session)
     if (!path)
         return;
     const Result<std::string> saved =
-        saveWindowPicture(session.state, session.window.framebuffer(), Window::loader(), *path);
+        saveWindowPicture(session.state, session.viewport, session.window.framebuffer(), Window::loader(), *path);
     session.state.message = saved ? Message{"Window saved: " + *saved, false} : Message{saved.error().sentence(), true};
 }
 

@@ -77,7 +77,8 @@ void saveScene(Session& session, std::string path)
 
 void saveView(Session& session, const std::string& path)
 {
-    const Result<std::string> saved = saveViewPicture(session.state, session.viewport, session.renderer, path);
+    const Result<std::string> saved =
+        saveViewPicture(session.state, session.viewport, session.renderer, session.second, path);
     if (saved)
         tell(session, "Picture saved: " + *saved);
     else
@@ -163,6 +164,18 @@ void serve(Session& session, const Request& request)
     }
 }
 
+/// The two variants as a picture showed them.
+void showAs(CompareView& compare, const Recipe& recipe)
+{
+    compare.divider = static_cast<float>(recipe.divider);
+    compare.on = compare.on && recipe.shown != VariantView::A;
+    compare.handOnB = compare.on && recipe.shown == VariantView::B;
+    compare.mode = recipe.shown == VariantView::Wipe         ? CompareMode::Wipe
+                   : recipe.shown == VariantView::Difference ? CompareMode::Difference
+                   : recipe.shown == VariantView::B          ? CompareMode::Flip
+                                                             : CompareMode::SideBySide;
+}
+
 struct TakeOver {
     Session& session;
     const std::string& path;
@@ -185,6 +198,15 @@ struct TakeOver {
         session.state.soloLight = -1;
         session.state.panels.matrices.clear(); // what a narrower mode hid belongs to the scene before
         session.sceneFile = path;
+    }
+    /// The picture itself stays as it is: Ctrl+S finds the scene a file of its own.
+    void operator()(KeptPicture kept) const
+    {
+        const std::string written = kept.program;
+        const std::string none;
+        TakeOver{session, none}(std::move(kept.scene));
+        showAs(session.state.compare, kept.recipe);
+        tell(session, "The session of this picture is restored, as version " + written + " saved it.");
     }
     void operator()(std::shared_ptr<const MeasuredTable> table) const
     {

@@ -15,6 +15,8 @@ Scene shownScene(const ExplorerState& state)
 {
     Scene scene = state.scene;
     scene.surface.showHoles = true;
+    if (scene.other)
+        scene.other->showHoles = true;
     if (state.soloLight < 0 || state.soloLight >= static_cast<int>(scene.lights.size()))
         return scene;
     for (std::size_t i = 0; i < scene.lights.size(); ++i)

@@ -245,10 +245,4 @@ void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer
     drawLoading(state, area, scale);
 }
 
-Result<void> renderFully(const ExplorerState& state, const Viewport& viewport, GlRenderer& renderer)
-{
-    return renderer.render(shownScene(state),
-                           {viewport.view.size.width, viewport.view.size.height, state.preferences.samplesPerAxis});
-}
-
 } // namespace reflectance::explorer

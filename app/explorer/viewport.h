@@ -38,7 +38,4 @@ struct Viewport {
 void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, const Area& area,
                   float pixelsPerPoint, float scale);
 
-/// Brings the picture up to date with all its samples, whatever the hand is doing: for saving it.
-[[nodiscard]] Result<void> renderFully(const ExplorerState& state, const Viewport& viewport, GlRenderer& renderer);
-
 } // namespace reflectance::explorer

@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/image/image.h"
+#include "core/image/notes.h"
 
 #include <cstdint>
 #include <span>
@@ -18,14 +19,20 @@ namespace reflectance {
 /// beside it.
 [[nodiscard]] Result<Image> decodedPng(std::string_view bytes, const std::string& path);
 
-/// 8-bit RGB, marked as sRGB (chunks sRGB, gAMA, cHRM).
-[[nodiscard]] std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb);
+/// 8-bit RGB, marked as sRGB (chunks sRGB, gAMA, cHRM); the notes stand before the pixels, uncompressed.
+[[nodiscard]] std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb, const Notes& notes = {});
+
+/// Texts before the pixels, of any of the three kinds of chunk; what libpng refuses to hold (8 MB) is left out.
+[[nodiscard]] Result<Notes> notesOfPng(std::string_view bytes, const std::string& path);
 
 /// First part, any compression, half or float; R G B or Y alone; A -> coverage. The picture is the data window.
 [[nodiscard]] Result<Image> decodedExr(std::string_view bytes, const std::string& path);
 
 /// float R G B, and A where the image has coverage; ZIP compression (lossless).
-[[nodiscard]] std::string encodedExr(const Image& image);
+[[nodiscard]] std::string encodedExr(const Image& image, const Notes& notes = {});
+
+/// String attributes of the first part.
+[[nodiscard]] Result<Notes> notesOfExr(std::string_view bytes, const std::string& path);
 
 /// PF (colour) and Pf (grey), both byte orders; values are multiplied by the absolute value of the file's scale.
 [[nodiscard]] Result<Image> decodedPfm(std::string_view bytes, const std::string& path);

@@ -5,6 +5,7 @@
 #include "core/image/image.h"
 
 #include <png.h>
+#include <vector>
 
 namespace reflectance {
 namespace {
@@ -23,9 +24,25 @@ void keepNothing(png_structp) {}
     std::abort();
 }
 
+/// libpng copies what it is handed.
+void addNotes(png_structp png, png_infop info, const Notes& notes)
+{
+    std::vector<png_text> texts;
+    for (const Note& note : notes) {
+        png_text text{};
+        text.compression = PNG_ITXT_COMPRESSION_NONE;
+        text.key = const_cast<char*>(note.key.c_str());   // NOLINT(*-const-cast): the library's texts are not const
+        text.text = const_cast<char*>(note.text.c_str()); // NOLINT(*-const-cast)
+        text.itxt_length = note.text.size();
+        texts.push_back(text);
+    }
+    if (!texts.empty())
+        png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
+}
+
 } // namespace
 
-std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb)
+std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb, const Notes& notes)
 {
     CHECK_LT(0, width);
     CHECK_LT(0, height);
@@ -37,6 +54,7 @@ std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb)
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    addNotes(png, info, notes);
     png_write_info(png, info);
     for (std::size_t at = 0; at < rgb.size(); at += 3 * static_cast<std::size_t>(width))
         png_write_row(png, &rgb[at]);

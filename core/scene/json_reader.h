@@ -2,6 +2,7 @@
 // problems too. Internal to scene files.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/math/vec.h"
 
 #include <array>
@@ -13,6 +14,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace reflectance {
@@ -28,6 +30,8 @@ public:
     using Json = nlohmann::ordered_json;
     static constexpr double inf = std::numeric_limits<double>::infinity();
 
+    template <class T> using ReadOne = const std::type_identity_t<std::function<void(ObjectReader, T&)>>&;
+
     /// `where` names the object in sentences; `problem` receives the first one.
     ObjectReader(const Json& object, std::string where, std::optional<std::string>& problem);
 
@@ -41,9 +45,12 @@ public:
                         const std::function<void(const std::string&, const std::vector<double>&)>& take);
     void readObject(const char* key, const std::function<void(ObjectReader)>& take);
 
-    template <class T> void readList(const char* key, std::vector<T>& list, void (*readOne)(ObjectReader, T&));
+    template <class T> void readList(const char* key, std::vector<T>& list, ReadOne<T> readOne);
     template <class T, std::size_t count>
     void readNamed(const char* key, const NamedValue<T> (&names)[count], T& value);
+
+    /// Keys "schema" and "version": another schema or a newer version is a problem.
+    void readVersion(const std::string& schema, int newest);
 
     void fail(const std::string& sentence); ///< keeps the first sentence only
     void finish();                          ///< complains of keys that nobody read
@@ -59,7 +66,14 @@ private:
     std::set<std::string> known_;
 };
 
-template <class T> void ObjectReader::readList(const char* key, std::vector<T>& list, void (*readOne)(ObjectReader, T&))
+/// A file's JSON; the Error names a syntax error's line. `what`: "a JSON scene".
+[[nodiscard]] Result<ObjectReader::Json> parsedJson(std::string_view text, const std::string& what,
+                                                    const std::string& file);
+
+/// As the program writes it. Names of files need not be UTF-8; what is not is replaced.
+[[nodiscard]] std::string jsonText(const ObjectReader::Json& json);
+
+template <class T> void ObjectReader::readList(const char* key, std::vector<T>& list, ReadOne<T> readOne)
 {
     const Json* json = find(key);
     if (!json)

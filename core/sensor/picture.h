@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/image/notes.h"
 #include "core/sensor/sensor.h"
 
 #include <string>
@@ -9,6 +10,7 @@
 namespace reflectance {
 
 /// Writes the picture by the name's ending and says what the sensor could not show.
-[[nodiscard]] Result<SensorCounts> savePicture(const std::string& path, const Image& image, const Sensor& sensor);
+[[nodiscard]] Result<SensorCounts> savePicture(const std::string& path, const Image& image, const Sensor& sensor,
+                                               const Notes& notes = {});
 
 } // namespace reflectance

@@ -56,8 +56,8 @@ TEST(SceneFile, ReadsBackWhatItWroteBitForBit)
 
 TEST(SceneFile, TakesASurfaceOfTheLibraryAndWhatStandsBesideItComesAfter)
 {
-    const auto read = parseScene(
-        R"({"surface": {"library": "curet_oren_nayar/velvet", "parameters": {"rho": 0.5}}})", "scene.json", "");
+    const auto read = parseScene(R"({"surface": {"library": "curet_oren_nayar/velvet", "parameters": {"rho": 0.5}}})",
+                                 "scene.json", "");
     ASSERT_TRUE(read) << read.error().sentence();
     EXPECT_EQ(read->surface.model, "oren_nayar");
     EXPECT_EQ(read->surface.values.at("sigma"), std::vector<double>{1.4});
@@ -191,6 +191,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{R"({"surface": {"convention": "primary", "W": [1,1,1, 1,1,1, 0,0,1]}})", "W is singular"},
                     BadScene{R"({"sensor": {"exposure": 1e9}})", "within -16 .. 16"},
                     BadScene{R"({"mesh": "missing.obj"})", "missing.obj"},
+                    BadScene{R"({"version": 3})", "of version 3 and was written by a newer program"},
+                    BadScene{R"({"schema": "reflectance.tour"})", "another kind of file"},
                     BadScene{R"({"reflectance_scene": 2})", "reflectance_scene must be a whole number within 1 .. 1"}));
 
 } // namespace

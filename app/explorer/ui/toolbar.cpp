@@ -32,7 +32,7 @@ void openMenu(ExplorerState& state)
 {
     if (ImGui::Selectable("Open a file\u2026"))
         state.showFileBrowser = true;
-    tooltip("Mesh (.obj .ply .off .stl), scene (.json) or environment (.exr .hdr).  Ctrl+O");
+    tooltip("Mesh (.obj .ply .off .stl), scene (.json), saved picture (.png) or environment (.exr .hdr).  Ctrl+O");
     bool& smooth = state.scene.recomputeNormals;
     if (ImGui::Selectable("Smooth normals", smooth)) {
         smooth = !smooth;
