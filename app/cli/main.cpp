@@ -2,6 +2,7 @@
 #include "app/cli/render_options.h"
 #include "app/cli/verbs.h"
 #include "app/explorer/explorer.h"
+#include "app/explorer/tour.h"
 #include "core/render/pictures/render_picture.h"
 #include "core/sensor/picture.h"
 
@@ -44,26 +45,25 @@ int renderInstead(const std::string& input, const std::optional<std::string>& en
     return Done;
 }
 
-int explore(const std::string& input, const std::optional<std::string>& environment)
+int explore(const explorer::ExplorerOptions& options)
 {
-    explorer::ExplorerOptions options;
-    options.input = input;
-    options.environment = environment;
     const auto ended = explorer::runExplorer(options);
     if (!ended)
         return refused(ended.error());
-    return *ended == explorer::Outcome::NoDisplay ? renderInstead(input, environment) : Done;
+    return *ended == explorer::Outcome::NoDisplay ? renderInstead(options.input, options.environment) : Done;
 }
 
 int run(int argc, char** argv)
 {
     CLI::App program(description, "reflectance");
     program.set_version_flag("--version", std::string("reflectance ") + REFLECTANCE_VERSION);
-    std::string input;
-    program.add_option("input", input,
+    explorer::ExplorerOptions options;
+    program.add_option("input", options.input,
                        "mesh (OBJ, PLY, OFF, STL), stock mesh name, scene file (.json) or saved picture (.png, .exr)");
-    std::optional<std::string> environment;
-    program.add_option("--environment", environment, "latitude-longitude picture (.exr, .hdr) around the object");
+    program.add_option("--environment", options.environment,
+                       "latitude-longitude picture (.exr, .hdr) around the object");
+    program.add_option("--tour", options.tour, "begin with this step of the guided tour")
+        ->check(CLI::Range(1, explorer::tourLength()));
     int exitCode = Done;
     addRender(program, exitCode);
     addEval(program, exitCode);
@@ -84,7 +84,7 @@ int run(int argc, char** argv)
         return refused(
             Error{std::string(error.what()) + "; 'reflectance --help' and 'reflectance VERB --help' tell more"});
     }
-    return program.get_subcommands().empty() ? explore(input, environment) : exitCode;
+    return program.get_subcommands().empty() ? explore(options) : exitCode;
 }
 
 } // namespace

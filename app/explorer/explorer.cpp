@@ -10,6 +10,7 @@
 #include "app/explorer/session.h"
 #include "app/explorer/thumbnails.h"
 #include "app/explorer/trust_view.h"
+#include "app/explorer/ui/guide_card.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/user_folders.h"
 
@@ -91,6 +92,22 @@ void drawBench(ExplorerState& state, const Layout& layout, float scale)
     ImGui::End();
 }
 
+/// The picture, and beside it the tour's card.
+void drawView(Session& session, Area picture, float scale)
+{
+    ExplorerState& state = session.state;
+    if (state.guide.number > 0) {
+        beginArea("##guide", takeGuideColumn(picture, scale), ImGuiWindowFlags_None, true);
+        drawGuideCard(state);
+        ImGui::End();
+    }
+    beginArea("##view", picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
+    drawViewport(state, session.viewport, session.renderer, session.second, picture, session.window.pixelsPerPoint(),
+                 scale);
+    drawTrust(session, picture);
+    ImGui::End();
+}
+
 void drawInterface(Session& session)
 {
     ExplorerState& state = session.state;
@@ -108,11 +125,7 @@ void drawInterface(Session& session)
     drawPanels(state);
     ImGui::End();
     drawSplitter(state, layout.splitter, width, scale);
-    beginArea("##view", layout.picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
-    drawViewport(state, session.viewport, session.renderer, session.second, layout.picture,
-                 session.window.pixelsPerPoint(), scale);
-    drawTrust(session, layout.picture);
-    ImGui::End();
+    drawView(session, layout.picture, scale);
     drawBench(state, layout, scale);
     beginArea("##status", layout.status, ImGuiWindowFlags_NoScrollWithMouse, true);
     drawStatusLine(state);
@@ -284,6 +297,8 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
     openAtStart(session, options);
     session.autosave.settle(session.state.scene);
     noteHistory(session);
+    if (options.tour > 0)
+        session.state.requests.push_back({Request::Kind::ShowTour, std::to_string(options.tour)});
     runLoop(session);
     session.autosave.end();
     keepPreferences(session);

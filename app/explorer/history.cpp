@@ -14,6 +14,13 @@ Moment momentOf(const ExplorerState& state)
     return {state.scene, state.compare.on, state.compare.beforeClay, state.putAside};
 }
 
+/// The tour as far as a step of it; a file that was read before is read again.
+Guide guideAt(int number)
+{
+    Result<TourStep> step = tourStep(number);
+    return step ? Guide{number, *std::move(step), 0, false, {}} : Guide();
+}
+
 std::size_t bytesOf(const Mesh& mesh)
 {
     return sizeof(Vec3d) * (mesh.positions.size() + mesh.normals.size()) +
@@ -38,7 +45,7 @@ void History::watch(const ExplorerState& state, Hand hand, Time now)
 {
     Moment moment = momentOf(state);
     if (steps_.empty()) {
-        steps_.push_back({"Start", std::move(moment), state.selectedLight});
+        steps_.push_back({"Start", std::move(moment), state.selectedLight, state.guide.number});
         return;
     }
     const Moment& last = steps_[here_].after;
@@ -67,7 +74,7 @@ void History::push(const ExplorerState& state, Moment moment, Time now)
     lastZoom_ = zoomed ? std::optional(now) : std::nullopt;
     std::string name = nameOfChange(last, moment);
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(here_ + 1), steps_.end());
-    steps_.push_back({std::move(name), std::move(moment), state.selectedLight});
+    steps_.push_back({std::move(name), std::move(moment), state.selectedLight, state.guide.number});
     while (steps_.size() > mostSteps + 1 || (steps_.size() > 2 && heldBytes() > mostBytes_))
         steps_.pop_front();
     here_ = steps_.size() - 1;

@@ -27,6 +27,7 @@ struct HistoryStep {
     std::string name; ///< of what led to it
     Moment after;
     int selectedLight = 0;
+    int tourStep = 0; ///< 0 outside the tour
 };
 
 class History {

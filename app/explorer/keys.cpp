@@ -53,6 +53,14 @@ void pressLens(ExplorerState& state, bool shift)
         state.lens = lensKinds[(static_cast<std::size_t>(*state.lens) + 1) % std::size(lensKinds)];
 }
 
+void toggleTour(ExplorerState& state)
+{
+    if (state.guide.number > 0)
+        request(state, Kind::LeaveCase);
+    else
+        request(state, Kind::ShowTour);
+}
+
 void requestForOffered(ExplorerState& state, Kind kind)
 {
     if (const EarlierSession* offered = offeredSession(state))
@@ -116,6 +124,10 @@ void pressAlone(const KeyPress& key, ExplorerState& state)
         nextModel(state, key.shift ? -1 : 1);
     else if (key.key.size() == 1 && key.key[0] >= '1' && key.key[0] <= '9')
         selectLight(state, key.key[0] - '1');
+    else if (key.key == "g")
+        toggleTour(state);
+    else if (state.guide.number > 0 && (key.key == "PageDown" || key.key == "PageUp"))
+        request(state, Kind::ShowTour, std::to_string(state.guide.number + (key.key == "PageDown" ? 1 : -1)));
     else if (key.key == "F1")
         state.showHelp = !state.showHelp;
     else if (key.key == "F12")

@@ -62,8 +62,8 @@ void resetScene(Session& session)
 void saveScene(Session& session, std::string path)
 {
     if (session.state.putAside)
-        return tell(session,
-                    "A hazard's case is on screen and is not saved. Esc brings your scene back; save it then.");
+        return tell(session, session.state.putAside->title +
+                                 " is on screen and is not saved. Esc brings your scene back; save it then.");
     if (path.empty())
         path = session.sceneFile;
     if (path.empty())
@@ -154,6 +154,11 @@ void serve(Session& session, const Request& request)
     case Kind::Redo:
     case Kind::GoToStep:
         travel(session, request);
+        break;
+    case Kind::ShowTour:
+        showTourStep(session.state,
+                     request.path.empty() ? session.state.preferences.tourStep : std::stoi(request.path));
+        frame(session);
         break;
     case Kind::Quit:
         session.quit = true;

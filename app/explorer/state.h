@@ -6,6 +6,7 @@
 #include "app/explorer/exhibition.h"
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/fit_study.h"
+#include "app/explorer/guide.h"
 #include "app/explorer/history.h"
 #include "app/explorer/surface_shelf.h"
 #include "app/explorer/table_study.h"
@@ -43,6 +44,7 @@ struct Request {
         Undo,
         Redo,
         GoToStep,
+        ShowTour,
         Dismiss,
         Quit
     };
@@ -50,7 +52,8 @@ struct Request {
     /// OpenFile: a mesh, scene, environment or measurement, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
     /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
     /// session; OpenFile restores it. SaveText: a name such as "curves.svg", made unique in the pictures folder.
-    /// TogglePage: the number of a page of the workbench, from 0. GoToStep: an index into the history's steps.
+    /// TogglePage: the number of a page of the workbench, from 0. GoToStep: an index into the history's
+    /// steps. ShowTour: the number of a step of the tour; empty for the last one seen.
     std::string path;
     std::string text = {}; ///< SaveText: what is written
 };
@@ -65,6 +68,7 @@ struct Preferences {
     std::string workbenchPage;      ///< id of the open page; empty while the workbench is closed
     int samplesPerAxis = 2;
     bool showLightHandles = true;
+    int tourStep = 1; ///< the last one seen
 };
 
 /// A mesh being read on another thread.
@@ -138,7 +142,8 @@ struct ExplorerState {
 
     ExtremesStudy extremes;
     ExtremesPage extremesPage;
-    std::optional<PutAside> putAside; ///< a hazard's case is shown, and the user's scene waits here
+    std::optional<PutAside> putAside; ///< a hazard's case or the tour is shown, and the user's scene waits here
+    Guide guide;
     CurvesPage curves;
     ColourPage colour;
     FitStudy fit;

@@ -13,6 +13,10 @@ std::string namedKey(int key)
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
         return "F" + std::to_string(1 + key - GLFW_KEY_F1);
     switch (key) {
+    case GLFW_KEY_PAGE_UP:
+        return "PageUp";
+    case GLFW_KEY_PAGE_DOWN:
+        return "PageDown";
     case GLFW_KEY_ESCAPE:
         return "Esc";
     default:

@@ -171,6 +171,17 @@ void ObjectReader::finish()
                  nearestName(key, {known_.begin(), known_.end()}) + "'?");
 }
 
+void ObjectReader::readTexts(const char* key, std::vector<std::string>& texts)
+{
+    const Json* json = find(key);
+    if (!json)
+        return;
+    if (!json->is_array() ||
+        !std::all_of(json->begin(), json->end(), [](const Json& text) { return text.is_string(); }))
+        return fail(nameOf(key) + " must be a list of texts");
+    texts = json->get<std::vector<std::string>>();
+}
+
 void ObjectReader::readVersion(const std::string& schema, int newest)
 {
     std::string found = schema;

@@ -39,6 +39,7 @@ public:
     void read(const char* key, int& value, int low, int high);
     void read(const char* key, bool& value);
     void read(const char* key, std::string& value);
+    void readTexts(const char* key, std::vector<std::string>& texts);
     void read(const char* key, Vec3d& value, double low = -inf);
     void read(const char* key, std::array<double, 9>& matrix);
     void eachNumberList(const char* key,

@@ -124,6 +124,13 @@ void drawReset(const Pen& pen)
                                {tip.x - 0.3F * r, tip.y - 0.9F * r}, pen.color);
 }
 
+/// A flag.
+void drawFlag(const Pen& pen)
+{
+    pen.line(std::array<ImVec2, 2>{{{-0.55F, 1.0F}, {-0.55F, -0.95F}}});
+    pen.line(std::array<ImVec2, 4>{{{-0.55F, -0.85F}, {0.8F, -0.4F}, {-0.55F, 0.1F}, {-0.55F, -0.85F}}}, true);
+}
+
 void drawQuestion(const Pen& pen)
 {
     pen.circle(0, 0, 0.95F);
@@ -160,6 +167,8 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float radius, ImU32 co
         return drawLens(pen);
     case Icon::Reset:
         return drawReset(pen);
+    case Icon::Tour:
+        return drawFlag(pen);
     case Icon::Help:
         return drawQuestion(pen);
     }

@@ -76,7 +76,8 @@ constexpr std::array<const char*, 8> leftLabels = {"Open",    "Frame", "Turntabl
 
 bool labelsFit(float width)
 {
-    float wanted = toolButtonWidth("Help", true) + historyButtonsWidth() + points(40);
+    float wanted =
+        toolButtonWidth("Help", true) + toolButtonWidth("Tour", true) + points(2) + historyButtonsWidth() + points(40);
     for (const char* label : leftLabels)
         wanted += toolButtonWidth(label, true) + points(2);
     return wanted <= width;
@@ -137,9 +138,14 @@ void drawToolbar(ExplorerState& state)
         state.requests.push_back({Kind::ResetScene, {}});
     const float middle = ImGui::GetWindowPos().y + toolbarHeight() / 2;
     const float left = ImGui::GetCursorScreenPos().x;
-    const float helpLeft = start.x + width - toolButtonWidth("Help", withLabels);
+    const float helpLeft =
+        start.x + width - toolButtonWidth("Help", withLabels) - toolButtonWidth("Tour", withLabels) - points(2);
     drawTitle(state, left, helpLeft, middle);
     ImGui::SetCursorScreenPos({helpLeft, ImGui::GetCursorScreenPos().y});
+    const bool touring = state.guide.number > 0;
+    if (drawToolButton({Icon::Tour, "Tour", touring, withLabels},
+                       "A guided tour: twelve short steps from Lambert to the trade, half an hour in all.  G"))
+        state.requests.push_back({touring ? Kind::LeaveCase : Kind::ShowTour, {}});
     if (drawToolButton({Icon::Help, "Help", state.showHelp, withLabels}, "Gestures and keys.  F1"))
         state.showHelp = !state.showHelp;
     ImGui::NewLine();
