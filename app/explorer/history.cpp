@@ -124,6 +124,8 @@ void History::show(ExplorerState& state)
     state.putAside = step.after.putAside;
     state.selectedLight = std::min(step.selectedLight, static_cast<int>(state.scene.lights.size()) - 1);
     state.soloLight = -1;
+    if (state.guide.number != step.tourStep)
+        state.guide = guideAt(step.tourStep);
     state.turntable = false;       // it would move the camera away from where it was
     state.panels.matrices.clear(); // what a narrower mode hid belongs to another state
 }

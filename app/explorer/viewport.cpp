@@ -52,6 +52,31 @@ void continueStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
         stroke = {};
 }
 
+/// Ctrl+drag while comparing marks the rectangle that the figures are taken of, Ctrl+click the whole object again. True
+/// while the mouse is at it.
+bool drawRegion(CompareView& compare, const PictureView& view, Cursor cursor, bool hovered)
+{
+    const Cursor share{std::clamp(cursor.x / view.size.width, 0.0, 1.0),
+                       std::clamp(cursor.y / view.size.height, 0.0, 1.0)};
+    const bool starts = compare.on && hovered && modifiers().control && !modifiers().shift &&
+                        ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (starts) {
+        compare.drawsRegion = true;
+        compare.regionStart = {share.x, share.y, share.x, share.y};
+        compare.region.reset();
+    }
+    if (!compare.drawsRegion)
+        return false;
+    const Region& start = compare.regionStart;
+    const Region drawn{std::min(start.left, share.x), std::min(start.top, share.y), std::max(start.left, share.x),
+                       std::max(start.top, share.y)};
+    constexpr double smallest = 0.01; // less was a click
+    if (drawn.right - drawn.left > smallest && drawn.bottom - drawn.top > smallest)
+        compare.region = drawn;
+    compare.drawsRegion = compare.on && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    return true;
+}
+
 /// One frame of the mouse over the picture.
 void handleMouse(ExplorerState& state, Viewport& viewport)
 {
@@ -64,7 +89,7 @@ void handleMouse(ExplorerState& state, Viewport& viewport)
         return;
     }
     viewport.hoveredLight = -1;
-    if (!hovered)
+    if (drawRegion(state.compare, viewport.view, cursor, hovered) || !hovered)
         return;
     if (state.preferences.showLightHandles)
         viewport.hoveredLight =

@@ -31,7 +31,7 @@ Scene unusualScene()
 
 Recipe unusualRecipe()
 {
-    return {641, 3, 8, "cpu", "simd", "vertex", "half", VariantView::Wipe, 1.0 / 3.0, true};
+    return {641, 3, 8, "cpu", "simd", "vertex", "power", "half", VariantView::Wipe, 1.0 / 3.0, true};
 }
 
 std::string sessionOf(const Scene& scene, const Recipe& recipe, const std::string& folder = {})

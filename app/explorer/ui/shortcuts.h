@@ -33,6 +33,7 @@ inline constexpr Shortcut shortcutTable[] = {
     {"Values", "Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y", "undo, redo; the arrow beside them lists every step"},
     {"Compare", "C", "two surfaces A and B, or one again"},
     {"Compare", "X", "the hand from A to B and back; flips the picture in Flip"},
+    {"Compare", "Ctrl+drag, Ctrl+click", "take the figures in a rectangle, over the whole object again"},
     {"Compare", "B", "clay, Lambert beside Oren-Nayar; once more brings back what was there"},
     {"Program", "Ctrl+O, or drop a file", "open a mesh, a scene, a saved picture or an environment"},
     {"Program", "Ctrl+S", "save the scene"},
