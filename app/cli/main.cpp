@@ -64,6 +64,8 @@ int run(int argc, char** argv)
                        "latitude-longitude picture (.exr, .hdr) around the object");
     program.add_option("--tour", options.tour, "begin with this step of the guided tour")
         ->check(CLI::Range(1, explorer::tourLength()));
+    program.add_option("--record", options.record, "write what you do in the window to this file (JSON), for --replay");
+    program.add_option("--replay", options.replay, "do again what a recording holds");
     int exitCode = Done;
     addRender(program, exitCode);
     addEval(program, exitCode);

@@ -196,6 +196,7 @@ void drawOnce(Session& session)
     const Events events = session.window.takeEvents();
     for (const KeyPress& key : events.keys)
         press(key, session.state);
+    playTape(session);
     session.toOpen.insert(session.toOpen.end(), events.dropped.begin(), events.dropped.end());
     session.state.drawSoon = false;
     session.window.beginFrame();
@@ -211,6 +212,8 @@ void drawOnce(Session& session)
     tryNextHazard(session);
     pollFit(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
+    const bool busy = session.viewport.dragging() || ImGui::IsAnyItemActive();
+    recordTape(session, events.keys, busy || session.state.loading.has_value());
     noteHistory(session);
     keepSession(session);
     titleWindow(session);
@@ -221,7 +224,8 @@ Reasons reasonsOf(const Session& session)
     const auto untilRefined = session.viewport.cameraMoved + restBeforeRefining(session.viewport) - Clock::now();
     const bool refine = session.viewport.refinementOwed && !session.viewport.dragging();
     return {
-        .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running,
+        .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running ||
+                     !session.tape.toPlay.empty(),
         .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running,
         .drawSoon = session.state.drawSoon,
         .untilRefined =
@@ -275,6 +279,13 @@ void keepPreferences(Session& session)
 
 Result<Outcome> runExplorer(const ExplorerOptions& options)
 {
+    std::optional<Recording> recording;
+    if (!options.replay.empty()) {
+        Result<Recording> loaded = loadRecording(options.replay);
+        if (!loaded)
+            return loaded.error();
+        recording = *std::move(loaded);
+    }
     const std::optional<Desktop> desktop = Desktop::connect();
     if (!desktop)
         return Outcome::NoDisplay;
@@ -296,7 +307,11 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
         session.state.message = Message{preferences.error().sentence(), true};
     openAtStart(session, options);
     session.autosave.settle(session.state.scene);
+    if (recording)
+        loadTape(session, *recording);
     noteHistory(session);
+    if (!options.record.empty())
+        startRecording(session, options.record);
     if (options.tour > 0)
         session.state.requests.push_back({Request::Kind::ShowTour, std::to_string(options.tour)});
     runLoop(session);

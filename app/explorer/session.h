@@ -2,15 +2,16 @@
 #pragma once
 
 #include "app/explorer/autosave.h"
-#include "app/explorer/worker.h"
 #include "app/explorer/file_loader.h"
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/second_view.h"
 #include "app/explorer/state.h"
+#include "app/explorer/tape.h"
 #include "app/explorer/trust.h"
 #include "app/explorer/user_folders.h"
 #include "app/explorer/viewport.h"
 #include "app/explorer/window.h"
+#include "app/explorer/worker.h"
 #include "core/render/gl/gl_renderer.h"
 
 #include <deque>
@@ -26,6 +27,7 @@ struct Session {
     GlRenderer& renderer;
     ExplorerState state;
     Viewport viewport;
+    Tape tape;
     SecondView second{Window::loader(), Window::wake};
     FileLoader loader{Window::wake};
     Worker<Prices> prices{Window::wake};

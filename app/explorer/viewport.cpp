@@ -31,6 +31,8 @@ void beginStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
         if (!ImGui::IsMouseClicked(imguiButton(button)))
             continue;
         viewport.button = button;
+        viewport.pressed = {button, modifiers(), viewport.view.size, viewport.hoveredLight, state.selectedLight,
+                            cursor, cursor};
         viewport.stroke = strokeFrom(button, modifiers(), cursor, viewport.hoveredLight, state.selectedLight,
                                      state.scene.lights, state.scene.camera, viewport.view.size);
         if (viewport.stroke.light >= 0)
@@ -48,8 +50,11 @@ void continueStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
     else if (!lightGone)
         state.scene.lights[static_cast<std::size_t>(stroke.light)] = lightOf(stroke, viewport.view.size, cursor);
     // The frame that sees the release still follows the hand: a quick stroke may fit between two frames.
-    if (lightGone || !ImGui::IsMouseDown(imguiButton(viewport.button)))
-        stroke = {};
+    if (!lightGone && ImGui::IsMouseDown(imguiButton(viewport.button)))
+        return;
+    stroke = {};
+    viewport.pressed.to = cursor;
+    viewport.done.emplace_back(viewport.pressed);
 }
 
 /// Ctrl+drag while comparing marks the rectangle that the figures are taken of, Ctrl+click the whole object again. True
@@ -94,8 +99,10 @@ void handleMouse(ExplorerState& state, Viewport& viewport)
     if (state.preferences.showLightHandles)
         viewport.hoveredLight =
             handleAt(state.scene.lights, state.scene.camera, viewport.view.size, cursor, handleReach(viewport.view));
-    if (ImGui::GetIO().MouseWheel != 0.0F)
-        state.scene.camera = zoomedByWheel(state.scene.camera, static_cast<double>(ImGui::GetIO().MouseWheel));
+    if (const auto steps = static_cast<double>(ImGui::GetIO().MouseWheel); steps != 0.0) {
+        state.scene.camera = zoomedByWheel(state.scene.camera, steps);
+        viewport.done.emplace_back(RecordedWheel{steps});
+    }
     if (viewport.hoveredLight >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         Light& light = state.scene.lights[static_cast<std::size_t>(viewport.hoveredLight)];
         light.on = !light.on;
