@@ -56,7 +56,7 @@ TEST_P(Tour, RendersWhatItTalksAbout)
     ASSERT_TRUE(step);
     Scene scene = step->scene;
     scene.camera = framed(scene.camera, 1.0);
-    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, {48, 48, 1});
+    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, {96, 96, 1});
     for (const Scene& variant : {scene, variantB(scene)}) {
         const Image image = shadeSamples(samples, variant, Precision::Double);
         double covered = 0.0, brightest = 0.0;
@@ -68,7 +68,7 @@ TEST_P(Tour, RendersWhatItTalksAbout)
                     brightest = std::max(brightest, static_cast<double>(image.rgb[3 * pixel + c]));
             }
         }
-        EXPECT_GT(covered, 200.0) << "the object fills the picture";
+        EXPECT_GT(covered, 800.0) << "the object fills the picture";
         EXPECT_GT(brightest, 0.2) << "and is lit";
     }
 }
