@@ -167,29 +167,41 @@ void drawQuantisation(ExplorerState& state)
 struct PartEntry {
     const char* name;
     const char* about;
+    const char* id; ///< in files and flags
     bool& (*on)(Sensor&);
     void (*draw)(ExplorerState&);
 };
 
+/// At the row's right end: nothing else than this part, as for lights.
+void soloButton(ExplorerState& state, const PartEntry& part)
+{
+    const float width = points(48);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    const bool alone = state.soloPart == part.id;
+    if (toggleButton("alone", alone, {width, 0}))
+        state.soloPart = alone ? "" : part.id;
+    tooltip(alone ? "Show the whole chain again." : "Show this part alone, beside exposure and encoding.");
+}
+
 void drawNothing(ExplorerState&) {}
 
 constexpr PartEntry parts[] = {
-    {"Exposure", "The EV above; off, radiance arrives as it is.", [](Sensor& s) -> bool& { return s.exposes; },
-     drawNothing},
+    {"Exposure", "The EV above; off, radiance arrives as it is.", "exposure",
+     [](Sensor& s) -> bool& { return s.exposes; }, drawNothing},
     {"Camera", "Shutter, aperture and ISO: the gain is white t S / (120 N\u00B2), 1 at f/16, 1/100 s, ISO 100.",
-     [](Sensor& s) -> bool& { return s.camera.on; }, drawCamera},
-    {"Vignetting", "Light lost towards the corners.", [](Sensor& s) -> bool& { return s.vignetting.on; },
+     "camera", [](Sensor& s) -> bool& { return s.camera.on; }, drawCamera},
+    {"Vignetting", "Light lost towards the corners.", "vignetting", [](Sensor& s) -> bool& { return s.vignetting.on; },
      drawVignetting},
-    {"Noise", "Shot and read noise, the same for the same seed.", [](Sensor& s) -> bool& { return s.noise.on; },
-     drawNoise},
-    {"Full well", "A pixel that is full stays full.", [](Sensor& s) -> bool& { return s.well.on; }, drawWell},
-    {"White balance, matrix", "Gains of the channels, then a colour matrix.",
+    {"Noise", "Shot and read noise, the same for the same seed.", "noise",
+     [](Sensor& s) -> bool& { return s.noise.on; }, drawNoise},
+    {"Full well", "A pixel that is full stays full.", "well", [](Sensor& s) -> bool& { return s.well.on; }, drawWell},
+    {"White balance, matrix", "Gains of the channels, then a colour matrix.", "balance",
      [](Sensor& s) -> bool& { return s.balance.on; }, drawBalance},
-    {"Response", "What the camera makes of light before it encodes it; off, it is linear.",
+    {"Response", "What the camera makes of light before it encodes it; off, it is linear.", "response",
      [](Sensor& s) -> bool& { return s.response.on; }, drawResponse},
-    {"Encoding", "From linear values to codes; off, they stay linear.",
+    {"Encoding", "From linear values to codes; off, they stay linear.", "encoding",
      [](Sensor& s) -> bool& { return s.encoding.on; }, drawEncoding},
-    {"Quantisation", "Rounding to whole codes; off, only the file's 16 bits round.",
+    {"Quantisation", "Rounding to whole codes; off, only the file's 16 bits round.", "quantisation",
      [](Sensor& s) -> bool& { return s.quantisation.on; }, drawQuantisation},
 };
 
@@ -202,7 +214,11 @@ void drawSensorParts(ExplorerState& state)
         ImGui::PushID(part.name);
         ImGui::Checkbox(part.name, &on);
         tooltip(part.about);
+        if (!on && state.soloPart == part.id)
+            state.soloPart.clear();
         if (on) {
+            if (part.draw != drawNothing)
+                soloButton(state, part);
             ImGui::Indent(points(12));
             part.draw(state);
             ImGui::Unindent(points(12));
