@@ -1,14 +1,15 @@
 #include "app/explorer/explorer.h"
 
-#include "app/explorer/fits.h"
 #include "app/explorer/differences.h"
+#include "app/explorer/fits.h"
 #include "app/explorer/frame_pace.h"
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
 #include "app/explorer/requests.h"
-#include "app/explorer/thumbnails.h"
+#include "app/explorer/sensor_polls.h"
 #include "app/explorer/session.h"
+#include "app/explorer/thumbnails.h"
 #include "app/explorer/trust_view.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/user_folders.h"
@@ -190,6 +191,7 @@ void drawOnce(Session& session)
     pollFiles(session);
     tryNextHazard(session);
     pollFit(session);
+    pollSensorStudy(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
     keepSession(session);
     titleWindow(session);
@@ -201,7 +203,8 @@ Reasons reasonsOf(const Session& session)
     const bool refine = session.viewport.refinementOwed && !session.viewport.dragging();
     return {
         .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running,
-        .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running,
+        .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running ||
+                   session.state.colour.object.running,
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),

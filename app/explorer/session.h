@@ -36,6 +36,10 @@ struct Session {
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
     Autosave autosave{stateFolder()};
 
+    Background<Waterfall> waterfall{Window::wake};
+    std::shared_ptr<const Rested> waterfallAsked; ///< the picture that it was last asked of
+    Background<ObjectPrices> objectPrices{Window::wake};
+
     Background<TableFacts> tableFacts{Window::wake};
     std::shared_ptr<const MeasuredTable> tableAsked; ///< that the facts were last asked of
 

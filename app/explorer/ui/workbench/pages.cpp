@@ -4,6 +4,7 @@
 #include "app/explorer/ui/workbench/curves_page.h"
 #include "app/explorer/ui/workbench/extremes_page.h"
 #include "app/explorer/ui/workbench/fit_page.h"
+#include "app/explorer/ui/workbench/sensor_page.h"
 #include "app/explorer/ui/workbench/surfaces_page.h"
 #include "app/explorer/ui/workbench/table_page.h"
 
@@ -17,11 +18,15 @@ std::span<const WorkbenchPage> workbenchPages()
          drawSurfacesPage},
         {"table", "Table", "A measured surface as a map over both angles, with its holes and its reciprocity.",
          drawTablePage},
-        {"fit", "Fit", "A model fitted to a measured surface: its curve over the data, and how well the data determine it.",
+        {"fit", "Fit",
+         "A model fitted to a measured surface: its curve over the data, and how well the data determine it.",
          drawFitPage},
         {"colour", "Colour", "Where K comes from: filters, primaries, and what a diagonal K costs.", drawColourPage},
         {"extremes", "Extremes", "The inputs at which reflectance code breaks, tried on this machine.",
          drawExtremesPage},
+        {"sensor", "Sensor",
+         "Where the picture's difference from the truth comes from: model, precision, sensor, encoding.",
+         drawSensorPage},
     };
     return pages;
 }
