@@ -31,6 +31,8 @@ struct Session {
     Background<Prices> prices{Window::wake};
     Trust trust{Window::wake};
     Background<FitOutcome> fit{Window::wake};
+    Background<Photograph> photograph{Window::wake};
+    ScreenTexture photographTexture{Window::loader()};
     Background<std::vector<Thumbnail>> thumbnails{Window::wake};
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
