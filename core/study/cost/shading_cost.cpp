@@ -1,10 +1,11 @@
-#include "core/study/fit/shading_cost.h"
+#include "core/study/cost/shading_cost.h"
 
 #include "core/measured/angles.h"
 #include "core/reflectance/shade_block.h"
+#include "core/study/cost/instructions.h"
+#include "core/study/cost/timing.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -31,19 +32,31 @@ template <class T> void fill(ShadeBlock<T>& block)
 
 template <class T> double costOf(const Kernel<T>& kernel, const std::vector<double>& flat)
 {
-    using Clock = std::chrono::steady_clock;
     const auto block = std::make_unique<ShadeBlock<T>>();
     fill(*block);
+    const ShadeBatch<T> batch = block->batch(blockSize);
     double best = std::numeric_limits<double>::infinity();
     for (int round = 0; round < rounds; ++round) {
         block->sum.fill({});
-        const auto start = Clock::now();
-        for (int call = 0; call < callsPerRound; ++call)
-            kernel.shade(flat.data(), block->batch(blockSize));
-        const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
-        best = std::min(best, spent.count() / (callsPerRound * static_cast<double>(blockSize)));
+        const double spent = millisecondsOf([&] {
+            for (int call = 0; call < callsPerRound; ++call)
+                kernel.shade(flat.data(), batch);
+        });
+        best = std::min(best, 1e6 * spent / (callsPerRound * static_cast<double>(blockSize)));
     }
     return best;
+}
+
+template <class T>
+std::optional<double> instructionsPerShading(const Kernel<T>& kernel, const std::vector<double>& flat)
+{
+    const auto block = std::make_unique<ShadeBlock<T>>();
+    fill(*block);
+    block->sum.fill({});
+    const auto count = instructionsOf([&] { kernel.shade(flat.data(), block->batch(blockSize)); });
+    if (!count)
+        return std::nullopt;
+    return static_cast<double>(*count) / static_cast<double>(blockSize);
 }
 
 } // namespace
@@ -53,6 +66,13 @@ double shadingCost(const Model& model, const std::vector<double>& flat, Precisio
     if (precision == Precision::Double)
         return costOf(model.exact, flat);
     return costOf(precision == Precision::Float ? model.single : model.lanes, flat);
+}
+
+std::optional<double> shadingInstructions(const Model& model, const std::vector<double>& flat, Precision precision)
+{
+    if (precision == Precision::Double)
+        return instructionsPerShading(model.exact, flat);
+    return instructionsPerShading(precision == Precision::Float ? model.single : model.lanes, flat);
 }
 
 } // namespace reflectance

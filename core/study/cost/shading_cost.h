@@ -4,10 +4,16 @@
 #include "core/reflectance/catalogue.h"
 #include "core/reflectance/precision.h"
 
+#include <optional>
+
 namespace reflectance {
 
 /// Nanoseconds per pair of directions and light: the best of several rounds over a block that stays in the first-level cache.
 /// Not for Glsl.
 [[nodiscard]] double shadingCost(const Model& model, const std::vector<double>& flat, Precision precision);
+
+/// Machine instructions for the same; nothing where the system does not count them.
+[[nodiscard]] std::optional<double> shadingInstructions(const Model& model, const std::vector<double>& flat,
+                                                        Precision precision);
 
 } // namespace reflectance
