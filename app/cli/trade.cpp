@@ -31,7 +31,7 @@ struct TradeFlags {
     std::string context = "any";
     std::vector<std::string> only;
     int repetitions = 7;
-    std::string html, csv, json;
+    std::string html, svg, csv, json;
     bool list = false;
 };
 
@@ -95,6 +95,10 @@ Result<void> writeFiles(const TradeFlags& flags, const Trade& trade, const std::
     if (!flags.html.empty())
         if (auto written = writeAtomically(flags.html, htmlOf(trade, flags.wanted, command)); !written)
             return written;
+    if (!flags.svg.empty())
+        if (auto written = writeAtomically(flags.svg, svgOf(chartOf(trade, flags.wanted.tolerance, true), 900, 520));
+            !written)
+            return written;
     if (!flags.csv.empty())
         if (auto written = writeAtomically(flags.csv, csvOf(trade)); !written)
             return written;
@@ -144,7 +148,7 @@ int runTrade(const TradeFlags& flags, const std::string& command)
     const auto wish = wishFrom(flags, *options);
     if (!wish)
         return refused(wish.error());
-    for (const std::string& file : {flags.html, flags.csv, flags.json, flags.map})
+    for (const std::string& file : {flags.html, flags.svg, flags.csv, flags.json, flags.map})
         if (const auto writable = checkWritable(file); !writable && !file.empty() && file != "-")
             return refused(writable.error());
     const auto settings = settingsFrom(flags.scene, {512, 512, 2});
@@ -200,6 +204,7 @@ void addTrade(CLI::App& program, const std::string& command, int& exitCode)
         ->capture_default_str();
     verb->add_flag("--list", flags->list, "the rungs and what each gives up; measures nothing");
     verb->add_option("--html", flags->html, "write a report that needs nothing beside itself");
+    verb->add_option("--svg", flags->svg, "write the chart alone");
     verb->add_option("--csv", flags->csv, "write all figures of all candidates");
     verb->add_option("--json", flags->json, "figures, to a file or - for standard output");
     verb->callback([flags, command, &exitCode] { exitCode = runTrade(*flags, command); });

@@ -2,12 +2,13 @@
 // frame loop draws it. No GL and no ImGui in here.
 #pragma once
 
-#include "app/explorer/exhibition.h"
 #include "app/explorer/comparison.h"
+#include "app/explorer/exhibition.h"
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/fit_study.h"
 #include "app/explorer/surface_shelf.h"
 #include "app/explorer/table_study.h"
+#include "app/explorer/trade_study.h"
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
@@ -138,6 +139,7 @@ struct ExplorerState {
     ColourPage colour;
     FitStudy fit;
     TablePage tablePage;
+    TradeStudy trade;
 
     // Between the panels and the frame loop.
     PanelMemory panels;
