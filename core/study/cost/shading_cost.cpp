@@ -61,18 +61,21 @@ std::optional<double> instructionsPerShading(const Kernel<T>& kernel, const std:
 
 } // namespace
 
-double shadingCost(const Model& model, const std::vector<double>& flat, Precision precision)
+double shadingCost(const Model& model, const std::vector<double>& flat, const Arithmetic& arithmetic)
 {
-    if (precision == Precision::Double)
-        return costOf(model.exact, flat);
-    return costOf(precision == Precision::Float ? model.single : model.lanes, flat);
+    const Kernels& kernels = model.with(arithmetic.lobe);
+    if (arithmetic.precision == Precision::Double)
+        return costOf(kernels.exact, flat);
+    return costOf(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes, flat);
 }
 
-std::optional<double> shadingInstructions(const Model& model, const std::vector<double>& flat, Precision precision)
+std::optional<double> shadingInstructions(const Model& model, const std::vector<double>& flat,
+                                          const Arithmetic& arithmetic)
 {
-    if (precision == Precision::Double)
-        return instructionsPerShading(model.exact, flat);
-    return instructionsPerShading(precision == Precision::Float ? model.single : model.lanes, flat);
+    const Kernels& kernels = model.with(arithmetic.lobe);
+    if (arithmetic.precision == Precision::Double)
+        return instructionsPerShading(kernels.exact, flat);
+    return instructionsPerShading(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes, flat);
 }
 
 } // namespace reflectance

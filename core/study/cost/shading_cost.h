@@ -1,8 +1,8 @@
 // What one evaluation of a model costs on this machine.
 #pragma once
 
+#include "core/reflectance/arithmetic.h"
 #include "core/reflectance/catalogue.h"
-#include "core/reflectance/precision.h"
 
 #include <optional>
 
@@ -10,10 +10,10 @@ namespace reflectance {
 
 /// Nanoseconds per pair of directions and light: the best of several rounds over a block that stays in the first-level cache.
 /// Not for Glsl.
-[[nodiscard]] double shadingCost(const Model& model, const std::vector<double>& flat, Precision precision);
+[[nodiscard]] double shadingCost(const Model& model, const std::vector<double>& flat, const Arithmetic& arithmetic);
 
 /// Machine instructions for the same; nothing where the system does not count them.
 [[nodiscard]] std::optional<double> shadingInstructions(const Model& model, const std::vector<double>& flat,
-                                                        Precision precision);
+                                                        const Arithmetic& arithmetic);
 
 } // namespace reflectance

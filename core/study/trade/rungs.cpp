@@ -22,6 +22,17 @@ std::span<const Rung> rungs()
         {"k_white", RungAxis::Matrix, "K but for the colour under white light", true, true, colourUnderWhite},
         {"k_grey", RungAxis::Matrix, "the colour of the body", true, true, greyK},
 
+        {"lobe_power", RungAxis::Lobe, "the lobe's conditioned form, for pow of the dot product", true, true, lobeAs,
+         code(LobeForm::Power)},
+        {"lobe_squarings", RungAxis::Lobe, "the lobe's conditioned form, for repeated squaring", true, true, lobeAs,
+         code(LobeForm::Squarings)},
+        {"lobe_truncated", RungAxis::Lobe, "the lobe, for (1 - n (1 - c) / k)^k", true, true, lobeAs,
+         code(LobeForm::Truncated)},
+        {"lobe_schlick", RungAxis::Lobe, "the lobe, for c / (n - n c + c)", true, true, lobeAs,
+         code(LobeForm::Schlick)},
+        {"lobe_table", RungAxis::Lobe, "the lobe, for 256 steps in sqrt(1 - c)", true, true, lobeAs,
+         code(LobeForm::Table)},
+
         {"no_highlight", RungAxis::Model, "the highlight", true, true, withoutHighlight},
         {"oren_nayar", RungAxis::Model, "interreflection in the grooves (the A/B form)", true, true,
          qualitativeOrenNayar},

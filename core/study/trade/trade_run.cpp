@@ -120,8 +120,8 @@ void TradeRun::measureKernel(Candidate& candidate) const
     if (recipe.onGl() || recipe.lobePerSample || model.text.usesTable)
         return;
     const std::vector<double> values = valuesOf(recipe.scene);
-    candidate.kernelNs = shadingCost(model, values, recipe.precision);
-    candidate.kernelInstructions = shadingInstructions(model, values, recipe.precision);
+    candidate.kernelNs = shadingCost(model, values, recipe.arithmetic());
+    candidate.kernelInstructions = shadingInstructions(model, values, recipe.arithmetic());
 }
 
 void TradeRun::next(Stage stage)

@@ -96,10 +96,10 @@ Image Workshop::shadedOnCpu(const Prepared& prepared) const
     const Recipe& recipe = prepared.recipe;
     Image image;
     if (prepared.bodyView) {
-        image = shadePlaces(*prepared.bodyView, bodyOf(recipe.scene), recipe.precision);
-        add(shadePlaces(prepared.view, highlightOf(recipe.scene), recipe.precision), image);
+        image = shadePlaces(*prepared.bodyView, bodyOf(recipe.scene), recipe.arithmetic());
+        add(shadePlaces(prepared.view, highlightOf(recipe.scene), recipe.arithmetic()), image);
     } else {
-        image = shadePlaces(prepared.view, recipe.scene, recipe.precision);
+        image = shadePlaces(prepared.view, recipe.scene, recipe.arithmetic());
     }
     return recipe.reduction == 1 ? image : upscaled(image, recipe.settings.width, recipe.settings.height);
 }
@@ -107,7 +107,7 @@ Image Workshop::shadedOnCpu(const Prepared& prepared) const
 Result<void> Workshop::drawOnGl(const Prepared& prepared)
 {
     const Recipe& recipe = prepared.recipe;
-    return gl_->render(recipe.scene, drawnSettings(recipe), {recipe.place, recipe.halfBuffer});
+    return gl_->render(recipe.scene, drawnSettings(recipe), {recipe.place, recipe.halfBuffer, recipe.lobe});
 }
 
 Result<Image> Workshop::picture(const Prepared& prepared)

@@ -91,6 +91,8 @@ TEST(Rungs, EveryOneAppliesSomewhere)
     inPicture.environment.kind = EnvironmentKind::Map;
     inPicture.environment.map = std::make_shared<const Image>(16, 8);
     scenes.push_back(inPicture);
+    scenes.push_back(shinyScene());
+    scenes.back().surface.values["n"] = {30.0}; // squarings are made for whole exponents
     for (const Rung& rung : rungs()) {
         bool applies = false;
         for (const Scene& scene : scenes)

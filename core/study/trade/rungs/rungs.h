@@ -12,6 +12,8 @@ Applied diagonalK(int amount, Recipe& recipe);
 Applied colourUnderWhite(int amount, Recipe& recipe);
 Applied greyK(int amount, Recipe& recipe);
 
+Applied lobeAs(int form, Recipe& recipe);
+
 Applied withoutHighlight(int amount, Recipe& recipe);
 Applied qualitativeOrenNayar(int amount, Recipe& recipe);
 Applied energyPreserving(int polynomial, Recipe& recipe);
