@@ -68,7 +68,18 @@ double kernelCost(const Scene& scene)
     return shadingCost(modelOf(scene), valuesOf(scene), Precision::Simd);
 }
 
-/// Simpler surfaces by rising cost, those that save nothing left out, and the whole one last.
+/// Whether a model has all the rungs of another and more, and yet saves less than a tenth: noise decides such pairs, and the
+/// more exact one shall win them.
+bool savesNothingOver(const SufficientModel& fuller, const SufficientModel& model)
+{
+    const auto& has = model.recipe.rungs;
+    return has.size() > fuller.recipe.rungs.size() && model.nanoseconds > 0.9 * fuller.nanoseconds &&
+           std::ranges::all_of(fuller.recipe.rungs, [&](const std::string& rung) {
+               return std::find(has.begin(), has.end(), rung) != has.end();
+           });
+}
+
+/// Simpler surfaces by rising cost, those that save nothing over a more exact one left out, and the whole one last.
 std::vector<SufficientModel> ladderOf(const Scene& scene, const RenderSettings& settings)
 {
     std::vector<SufficientModel> models;
@@ -76,12 +87,14 @@ std::vector<SufficientModel> ladderOf(const Scene& scene, const RenderSettings& 
         const double cost = kernelCost(recipe.scene);
         models.push_back({std::move(recipe), cost, 0, 0});
     }
-    const SufficientModel whole = models.front();
-    models.erase(models.begin());
-    std::erase_if(models, [&](const SufficientModel& m) { return m.nanoseconds >= whole.nanoseconds; });
+    const std::vector<SufficientModel> all = models;
+    std::erase_if(models, [&](const SufficientModel& m) {
+        return m.recipe.rungs.empty() ||
+               std::ranges::any_of(all, [&](const SufficientModel& fuller) { return savesNothingOver(fuller, m); });
+    });
     std::stable_sort(models.begin(), models.end(),
                      [](const SufficientModel& a, const SufficientModel& b) { return a.nanoseconds < b.nanoseconds; });
-    models.push_back(whole);
+    models.push_back(all.front());
     for (std::size_t i = 0; i < models.size(); ++i)
         models[i].color = seriesColor(i);
     return models;
