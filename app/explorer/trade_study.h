@@ -34,6 +34,8 @@ struct TradeStudy {
     double done = 0.0;
     std::shared_ptr<const Trade> trade; ///< as far as it is measured
     bool stale = false;                 ///< the scene has changed since
+    bool rechecking = false;
+    std::optional<double> rechecked; ///< the shown candidate's error on the changed scene
     std::shared_ptr<const SufficientMap> map;
     std::shared_ptr<const TermBars> terms;
     std::string problem; ///< why there is no trade

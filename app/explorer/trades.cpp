@@ -4,6 +4,7 @@
 #include "app/explorer/study_renderer.h"
 #include "core/image/compare.h"
 #include "core/sensor/sensor.h"
+#include "core/study/trade/dial.h"
 
 #include <algorithm>
 #include <utility>
@@ -39,6 +40,7 @@ void giveUp(Session& session)
     trades.picture.cancel();
     trades.map.cancel();
     trades.terms.cancel();
+    trades.recheck.cancel();
     session.state.trade.running = false;
 }
 
@@ -97,6 +99,32 @@ void goOn(Session& session)
             TradeSteps steps = stepsOf(*run, batch, false, &progress);
             return progress.cancel ? std::nullopt : std::optional(std::move(steps));
         });
+}
+
+/// Whether the choice still holds once the scene has changed: asked when the picture rests and nothing else is measured.
+void keepRechecking(Session& session)
+{
+    Trades& trades = session.trades;
+    TradeStudy& study = session.state.trade;
+    const std::uint64_t picture = session.viewport.pictures;
+    if (trades.recheckedPicture != picture) {
+        trades.recheck.cancel();
+        study.rechecked.reset();
+    }
+    if (const auto error = trades.recheck.take())
+        study.rechecked = error->by(study.metric);
+    study.rechecking = trades.recheck.busy();
+    const bool rests = session.trust.rested && !trustIsBusy(session) && !session.prices.busy();
+    const auto shown = study.shown();
+    if (!study.stale || study.running || !shown || !rests || trades.recheckedPicture == picture ||
+        session.state.preferences.workbenchPage != "trade")
+        return;
+    trades.recheckedPicture = picture;
+    study.rechecking = true;
+    trades.recheck.start([scene = shownScene(session.state), settings = trades.settings,
+                          recipe = study.trade->candidates[*shown].recipe](Progress& progress) {
+        return recheckedOn(scene, settings, recipe, &progress);
+    });
 }
 
 /// The map for the tolerance of now, when its page wants it.
@@ -196,6 +224,7 @@ void pollTrade(Session& session)
     goOn(session);
     if (auto terms = session.trades.terms.take())
         study.terms = std::make_shared<const TermBars>(*std::move(terms));
+    keepRechecking(session);
     keepMap(session);
     keepOverlay(session);
 }

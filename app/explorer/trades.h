@@ -30,7 +30,10 @@ struct TradeLaid {
 };
 
 struct Trades {
-    explicit Trades(const std::function<void()>& wake) : steps(wake), picture(wake), map(wake), terms(wake) {}
+    explicit Trades(const std::function<void()>& wake)
+        : steps(wake), picture(wake), map(wake), terms(wake), recheck(wake)
+    {
+    }
 
     Scene scene; ///< that is or was measured
     RenderSettings settings;
@@ -39,7 +42,9 @@ struct Trades {
     Background<Image> picture;     ///< of a CPU candidate; works on `run`, too
     Background<SufficientMap> map;
     Background<TermBars> terms;
-    TradeLaid pictureOf, laid; ///< what `picture` makes, and what is in `overlay`
+    Background<ErrorFigures> recheck;   ///< of the shown candidate, once a changed scene rests
+    std::uint64_t recheckedPicture = 0; ///< Viewport::pictures that it was asked of
+    TradeLaid pictureOf, laid;          ///< what `picture` makes, and what is in `overlay`
     double mappedTolerance = -1.0;
     Metric mappedMetric = Metric::Max;
     OverlayTexture overlay;

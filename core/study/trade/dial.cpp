@@ -1,6 +1,7 @@
 #include "core/study/trade/dial.h"
 
 #include "core/base/text.h"
+#include "core/study/trade/rung.h"
 #include "core/study/trade/trade_run.h"
 
 #include <algorithm>
@@ -192,6 +193,28 @@ Result<DialAnswer> dialled(const Scene& scene, const RenderSettings& settings, c
     if (answer)
         answer->tried = probe->candidates.size();
     return answer;
+}
+
+std::optional<ErrorFigures> recheckedOn(const Scene& scene, const RenderSettings& settings, const Recipe& chosen,
+                                        Progress* progress)
+{
+    Recipe recipe{scene, settings};
+    for (const std::string& id : chosen.rungs) {
+        const Rung* rung = findRung(id == "glsl" ? "simd" : id);
+        if (id == "half_buffer")
+            continue; // GL alone has it
+        if (!rung || !applyRung(*rung, recipe).skipped.empty())
+            return std::nullopt;
+    }
+    Workshop workshop(scene.mesh, scene.camera, nullptr);
+    const Judge judge(Workshop::truth(scene, settings, progress), scene.sensor.exposure);
+    if (progress && progress->cancel)
+        return std::nullopt;
+    const auto prepared = workshop.prepare(recipe);
+    if (!prepared)
+        return std::nullopt;
+    const auto picture = workshop.picture(*prepared);
+    return picture ? std::optional(judge.errorOf(*picture)) : std::nullopt;
 }
 
 std::vector<std::string> sentencesOf(const DialAnswer& answer, const DialWish& wish)

@@ -37,6 +37,11 @@ struct DialAnswer {
 [[nodiscard]] Result<DialAnswer> dialled(const Scene& scene, const RenderSettings& settings, const DialWish& wish,
                                          GlRenderer* gl, Progress* progress = nullptr);
 
+/// The error of the same rungs on a changed scene, against that scene's own truth. GL's arithmetic is taken for SIMD's, whose
+/// error it shares but for the last digits. Nothing where stopped, or where a rung no longer applies.
+[[nodiscard]] std::optional<ErrorFigures> recheckedOn(const Scene& scene, const RenderSettings& settings,
+                                                      const Recipe& chosen, Progress* progress = nullptr);
+
 /// What was chosen, what it gives up, what the probe missed; or the best that can be had.
 [[nodiscard]] std::vector<std::string> sentencesOf(const DialAnswer& answer, const DialWish& wish);
 

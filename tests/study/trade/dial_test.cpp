@@ -79,6 +79,22 @@ TEST(Dial, IsNotFooledByTheHighlightThatItsProbeMisses)
     EXPECT_LE(errorOf(answer->chosen->recipe, scene), tolerance);
 }
 
+TEST(Dial, ChecksAChoiceOnAChangedScene)
+{
+    Recipe matte{shinyScene(), smallSettings};
+    for (const char* id : {"simd", "no_highlight"})
+        ASSERT_TRUE(applyRung(*findRung(id), matte).skipped.empty());
+    Scene changed = shinyScene();
+    const auto before = recheckedOn(changed, smallSettings, matte);
+    ASSERT_TRUE(before);
+    EXPECT_EQ(before->max, errorOf(matte, changed)) << "on the same scene nothing changes";
+    changed.surface.values["ks"] = {2.0};
+    EXPECT_GT(recheckedOn(changed, smallSettings, matte)->max, before->max + 0.5)
+        << "a stronger highlight is missed more";
+    changed.surface.model = "lambert";
+    EXPECT_FALSE(recheckedOn(changed, smallSettings, matte)) << "there is no highlight any more";
+}
+
 TEST(Dial, TellsWhatTheProbeMissed)
 {
     DialAnswer answer;

@@ -3,6 +3,7 @@
 #include "app/explorer/ui/number_row.h"
 #include "app/explorer/ui/widgets.h"
 #include "app/explorer/ui/workbench/trade_views.h"
+#include "core/base/text.h"
 #include "core/study/trade/trade_page.h"
 
 #include <algorithm>
@@ -118,6 +119,21 @@ void overlayRow(TradeStudy& study)
     ImGui::PopID();
 }
 
+/// What is known of the choice on the changed scene.
+void staleRemark(const TradeStudy& study)
+{
+    if (study.rechecking)
+        return remark("The scene has changed; the choice is being checked on it.", palette::warning);
+    if (!study.rechecked)
+        return remark("The scene has changed since; measure again.", palette::warning);
+    const bool holds = study.byTime || *study.rechecked <= study.tolerance;
+    remark("The scene has changed: the choice is now off by " + general(*study.rechecked, 3) +
+               (study.byTime ? "."
+                : holds      ? ", still within."
+                             : ", beyond the tolerance; measure again."),
+           holds ? palette::text : palette::warning);
+}
+
 void drawControls(ExplorerState& state)
 {
     TradeStudy& study = state.trade;
@@ -128,7 +144,7 @@ void drawControls(ExplorerState& state)
     candidateMenu(study);
     overlayRow(study);
     if (study.stale && study.trade)
-        remark("The scene has changed since; measure again.", palette::warning);
+        staleRemark(study);
     else if (study.mapping)
         remark("The map is being made.");
     ImGui::EndChild();
