@@ -5,11 +5,23 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace reflectance {
 namespace {
 
-using Measure = std::function<double(const Candidate&)>;
+/// What is to be small, and what decides between equals.
+using Measure = std::function<std::pair<double, double>(const Candidate&)>;
+
+Measure costThenError(const Trade& trade)
+{
+    return [&trade](const Candidate& c) { return std::pair(c.cost(trade.cost), c.error.by(trade.metric)); };
+}
+
+Measure errorThenCost(const Trade& trade)
+{
+    return [&trade](const Candidate& c) { return std::pair(c.error.by(trade.metric), c.cost(trade.cost)); };
+}
 
 /// The candidate with the smallest measure among those that pass; nothing where none does.
 std::optional<std::size_t> smallest(const Trade& trade, const Measure& measure,
@@ -91,16 +103,14 @@ std::vector<std::string> dominatedRungs(const Trade& trade)
 
 std::optional<std::size_t> cheapestWithin(const Trade& trade, double tolerance)
 {
-    return smallest(
-        trade, [&](const Candidate& c) { return c.cost(trade.cost); },
-        [&](const Candidate& c) { return c.error.by(trade.metric) <= tolerance; });
+    return smallest(trade, costThenError(trade),
+                    [&](const Candidate& c) { return c.error.by(trade.metric) <= tolerance; });
 }
 
 std::optional<std::size_t> bestWithin(const Trade& trade, double milliseconds)
 {
-    return smallest(
-        trade, [&](const Candidate& c) { return c.error.by(trade.metric); },
-        [&](const Candidate& c) { return c.cost(trade.cost) <= milliseconds; });
+    return smallest(trade, errorThenCost(trade),
+                    [&](const Candidate& c) { return c.cost(trade.cost) <= milliseconds; });
 }
 
 std::optional<std::size_t> chosen(const Trade& trade, const Wanted& wanted)
@@ -112,14 +122,12 @@ std::optional<std::size_t> chosen(const Trade& trade, const Wanted& wanted)
 
 const Candidate* mostExact(const Trade& trade)
 {
-    return at(trade, smallest(
-                         trade, [&](const Candidate& c) { return c.error.by(trade.metric); }, everything));
+    return at(trade, smallest(trade, errorThenCost(trade), everything));
 }
 
 const Candidate* cheapest(const Trade& trade)
 {
-    return at(trade, smallest(
-                         trade, [&](const Candidate& c) { return c.cost(trade.cost); }, everything));
+    return at(trade, smallest(trade, costThenError(trade), everything));
 }
 
 std::string givenUp(const Recipe& recipe)
