@@ -46,7 +46,10 @@ Result<RenderPlan> planFrom(const Options& options)
     plan.backend = options.backend == "gl" ? Backend::Gl : options.backend == "cpu" ? Backend::Cpu : Backend::Auto;
     plan.context = contextNamed(options.context);
     plan.frames = options.frames;
-    plan.shading = options.shading == "vertex" ? Shading::Vertex : Shading::Pixel;
+    plan.place = options.shading == "vertex" ? Place::Vertex
+                 : options.shading == "face" ? Place::Face
+                 : options.shading == "once" ? Place::Pixel
+                                             : Place::Sample;
     const auto lobe = lobeFormNamed(options.lobe);
     if (!lobe)
         return lobe.error();
@@ -240,8 +243,9 @@ void addRender(CLI::App& program, int& exitCode)
         ->capture_default_str();
     verb->add_option(
             "--shading", options->shading,
-            "where the model is evaluated: pixel (at every sample) or vertex (interpolated over triangles; CPU)")
-        ->check(CLI::IsMember({"pixel", "vertex"}))
+            "where the model is evaluated: pixel (at every sample), once (per pixel), vertex (interpolated over "
+            "triangles; CPU) or face (CPU)")
+        ->check(CLI::IsMember({"pixel", "once", "vertex", "face"}))
         ->capture_default_str();
     verb->add_option(
             "--lobe", options->lobe,

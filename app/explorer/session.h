@@ -7,6 +7,7 @@
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/second_view.h"
 #include "app/explorer/state.h"
+#include "app/explorer/trades.h"
 #include "app/explorer/trust.h"
 #include "app/explorer/user_folders.h"
 #include "app/explorer/viewport.h"
@@ -49,6 +50,7 @@ struct Session {
     std::string sceneFile;                    ///< the scene file in use; empty where there is none
     std::optional<std::string> windowPicture; ///< where to save the frame being drawn; empty chooses a name
     std::optional<GlRenderer> bench; ///< draws for studies, so that the picture's own buffers stay; made when needed
+    Trades trades{Window::wake};     ///< after `bench`, which it draws with
     bool quit = false;
 
     std::uint64_t pricedPicture = 0;  ///< Viewport::pictures when the prices were last asked for

@@ -10,6 +10,7 @@
 #include "app/explorer/sensor_study.h"
 #include "app/explorer/surface_shelf.h"
 #include "app/explorer/table_study.h"
+#include "app/explorer/trade_study.h"
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
@@ -145,6 +146,7 @@ struct ExplorerState {
     ColourPage colour;
     FitStudy fit;
     TablePage tablePage;
+    TradeStudy trade;
 
     // Between the panels and the frame loop.
     PanelMemory panels;

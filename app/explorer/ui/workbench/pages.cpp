@@ -7,6 +7,7 @@
 #include "app/explorer/ui/workbench/sensor_page.h"
 #include "app/explorer/ui/workbench/surfaces_page.h"
 #include "app/explorer/ui/workbench/table_page.h"
+#include "app/explorer/ui/workbench/trade_page.h"
 
 namespace reflectance::explorer {
 
@@ -27,6 +28,8 @@ std::span<const WorkbenchPage> workbenchPages()
         {"sensor", "Sensor",
          "Where the picture's difference from the truth comes from: model, precision, sensor, encoding.",
          drawSensorPage},
+        {"trade", "Trade", "What every cheaper way of drawing this view loses and saves, measured here.",
+         drawTradePage},
     };
     return pages;
 }
