@@ -80,6 +80,7 @@ int run(int argc, char** argv)
     addTable(program, exitCode);
     addFit(program, exitCode);
     addTrade(program, typed(argc, argv), exitCode);
+    addGoniometer(program, exitCode);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {
