@@ -61,7 +61,7 @@ Result<LensMap> lensOf(const Scene& scene, const RenderSettings& settings, LensK
 
 Result<void> writeLens(const std::string& path, const LensMap& map, const Notes& notes)
 {
-    return writePng(path, map.width, map.height, painted(map), notes);
+    return writePng(path, map.width, map.height, painted(map), {}, notes);
 }
 
 nlohmann::ordered_json lensReport(LensKind kind, const LensMap& map)

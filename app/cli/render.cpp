@@ -4,13 +4,16 @@
 #include "app/cli/render_options.h"
 #include "app/cli/report.h"
 #include "app/cli/verbs.h"
+#include "app/cli/waterfall_report.h"
 #include "app/explorer/shown_picture.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/image/compare.h"
 #include "core/image/picture_file.h"
 #include "core/reflectance/kernel_tables.h"
+#include "core/render/pictures/picture_waterfall.h"
 #include "core/scene/requirements.h"
+#include "core/scene/scene_file.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -22,24 +25,28 @@ namespace {
 using Options = RenderOptions;
 
 nlohmann::ordered_json report(const Options& options, const Scene& scene, const Recipe& recipe,
-                              const Rendered& rendered, const SensorCounts& counts)
+                              const Rendered& rendered, const SensorCounts& counts,
+                              const std::optional<Waterfall>& waterfall)
 {
-    return {{"out", options.out},
-            {"variant", nameOf(recipe.shown)},
-            {"width", recipe.width},
-            {"height", recipe.height},
-            {"samples", recipe.samplesPerAxis * recipe.samplesPerAxis},
-            {"model", scene.surface.model},
-            {"triangles", scene.mesh->triangles.size()},
-            {"backend", rendered.backend},
-            {"precision", rendered.precision},
-            {"lobe", recipe.lobe},
-            {"first_frame_ms", rendered.firstFrameMilliseconds},
-            {"shading_ms", rendered.shadingMilliseconds},
-            {"negative_pixels", counts.negative},
-            {"clipped_pixels", counts.clipped},
-            {"non_finite_pixels", counts.nonFinite},
-            {"left_out", leftOut(scene)}};
+    nlohmann::ordered_json figures{{"out", options.out},
+                                   {"variant", nameOf(recipe.shown)},
+                                   {"width", recipe.width},
+                                   {"height", recipe.height},
+                                   {"samples", recipe.samplesPerAxis * recipe.samplesPerAxis},
+                                   {"model", scene.surface.model},
+                                   {"triangles", scene.mesh->triangles.size()},
+                                   {"backend", rendered.backend},
+                                   {"precision", rendered.precision},
+                                   {"lobe", recipe.lobe},
+                                   {"first_frame_ms", rendered.firstFrameMilliseconds},
+                                   {"shading_ms", rendered.shadingMilliseconds},
+                                   {"negative_pixels", counts.negative},
+                                   {"clipped_pixels", counts.clipped},
+                                   {"non_finite_pixels", counts.nonFinite},
+                                   {"left_out", leftOut(scene)}};
+    if (waterfall)
+        figures["waterfall"] = waterfallReport(*waterfall);
+    return figures;
 }
 
 /// A form of the lobe asks for a model that has one, and may not be made for its exponent.
@@ -108,10 +115,14 @@ Result<void> checkLens(const Options& options)
     if (!options.out.ends_with(".png"))
         return Error{"--lens paints a PNG; name the output .png"};
     const std::pair<const char*, bool> others[] = {
-        {"--precision", !options.precision.empty()}, {"--backend", options.backend != "auto"},
-        {"--shading", options.shading == "vertex"},  {"--lobe", !options.lobe.empty() && options.lobe != "conditioned"},
-        {"--frames", options.frames != 1},           {"--variant", !options.variant.empty() && options.variant != "A"},
-        {"--reference", !options.reference.empty()}};
+        {"--precision", !options.precision.empty()},
+        {"--backend", options.backend != "auto"},
+        {"--shading", !options.shading.empty() && options.shading != "pixel"},
+        {"--lobe", !options.lobe.empty() && options.lobe != "conditioned"},
+        {"--frames", options.frames != 1},
+        {"--variant", !options.variant.empty() && options.variant != "A"},
+        {"--reference", !options.reference.empty()},
+        {"--waterfall", options.waterfall}};
     for (const auto& [flag, given] : others)
         if (given)
             return Error{std::string("--lens compares one arithmetic with double; leave ") + flag + " out"};
@@ -131,6 +142,27 @@ int runLens(const Options& options, const Scene& scene, const RenderSettings& se
     return reported ? Done : refused(reported.error());
 }
 
+/// From the truth to what was written, where it was asked for.
+Result<std::optional<Waterfall>> waterfallFrom(const Options& options, const Scene& scene,
+                                               const RenderSettings& settings, const Made& made)
+{
+    if (!options.waterfall)
+        return std::optional<Waterfall>();
+    if (made.recipe.shown != VariantView::A)
+        return Error{"--waterfall follows one surface, A; leave --variant out"};
+    auto truth = options.truth.empty() ? Result<Scene>(scene) : loadScene(options.truth);
+    if (!truth)
+        return truth.error();
+    const LongWork work;
+    auto waterfall = waterfallOf(picturesToTruth(scene, *truth, settings, made.picture.linear, &LongWork::progress()));
+    if (LongWork::wasStopped())
+        return Error{"stopped before the waterfall was measured"};
+    if (!waterfall)
+        return waterfall.error();
+    printWaterfall(*waterfall);
+    return std::optional(*std::move(waterfall));
+}
+
 int renderAndReport(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
 {
     const auto made = make(options, scene, settings, plan);
@@ -138,7 +170,10 @@ int renderAndReport(const Options& options, const Scene& scene, const RenderSett
         return refused(made.error(), LongWork::wasStopped() ? Stopped : BadInput);
     if (const auto saved = saveShown(options.out, made->picture, scene, made->recipe); !saved)
         return refused(saved.error());
-    const auto figures = report(options, scene, made->recipe, made->last, made->picture.counts);
+    const auto waterfall = waterfallFrom(options, scene, settings, *made);
+    if (!waterfall)
+        return refused(waterfall.error(), LongWork::wasStopped() ? Stopped : BadInput);
+    const auto figures = report(options, scene, made->recipe, made->last, made->picture.codes.counts, *waterfall);
     if (const auto written = writeReport(options.json, figures); !written)
         return refused(written.error());
     if (options.reference.empty())
@@ -196,13 +231,12 @@ void addRender(CLI::App& program, int& exitCode)
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
         ->capture_default_str();
     verb->add_option("--shading", options->shading,
-                     "where the model is evaluated: pixel (at every sample, the default) or vertex (interpolated over "
-                     "triangles; CPU)")
-        ->check(CLI::IsMember({"pixel", "vertex"}));
+                     "where the model is evaluated: pixel (at every sample, the default), once (per pixel), vertex "
+                     "(interpolated over triangles; CPU) or face (CPU)")
+        ->check(CLI::IsMember({"pixel", "once", "vertex", "face"}));
     verb->add_option("--lobe", options->lobe,
                      "how a highlight's (R.V)^n is computed: conditioned (right, the default), power, squarings (whole "
-                     "n), truncated, "
-                     "schlick or table");
+                     "n), truncated, schlick or table");
     verb->add_option("--lens", options->lens,
                      "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
         ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));
@@ -221,6 +255,12 @@ void addRender(CLI::App& program, int& exitCode)
     verb->add_option("--threshold", options->threshold, "largest linear difference that still holds")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
+    CLI::Option* waterfall = verb->add_flag(
+        "--waterfall", options->waterfall,
+        "how much of the difference from the truth comes from geometry, model, precision, sensor and encoding");
+    verb->add_option("--truth", options->truth,
+                     "scene file whose mesh and surface are the truth of --waterfall (default: the scene's own)")
+        ->needs(waterfall);
     verb->add_option("--json", options->json, "figures about the picture, to a file or - for standard output");
     verb->callback([options, &exitCode] { exitCode = run(*options); });
 }

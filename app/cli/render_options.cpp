@@ -20,7 +20,10 @@ Result<RenderPlan> planFrom(const RenderOptions& options)
     plan.backend = options.backend == "gl" ? Backend::Gl : options.backend == "cpu" ? Backend::Cpu : Backend::Auto;
     plan.context = contextNamed(options.context);
     plan.frames = options.frames;
-    plan.shading = options.shading == "vertex" ? Shading::Vertex : Shading::Pixel;
+    plan.place = options.shading == "vertex" ? Place::Vertex
+                 : options.shading == "face" ? Place::Face
+                 : options.shading == "once" ? Place::Pixel
+                                             : Place::Sample;
     const auto lobe = lobeFormNamed(options.lobe.empty() ? "conditioned" : options.lobe);
     if (!lobe)
         return lobe.error();
@@ -71,7 +74,7 @@ Recipe recipeFrom(const RenderOptions& options, const RenderSettings& settings, 
     Recipe recipe{settings.width, settings.height, settings.samplesPerAxis};
     recipe.backend = backend.starts_with("gl") ? "gl" : "cpu";
     recipe.precision = precision.substr(0, precision.find(' ')); // the lanes' name follows "simd"
-    recipe.shading = options.shading == "vertex" ? "vertex" : "pixel";
+    recipe.shading = options.shading.empty() ? "pixel" : options.shading;
     recipe.lobe = options.lobe.empty() ? "conditioned" : options.lobe;
     recipe.lens = options.lens.empty() ? "none" : options.lens;
     recipe.shown = shownNamed(options.variant);

@@ -24,6 +24,8 @@ struct RenderOptions {
     std::string reference;
     double threshold = 0.0;
     std::string json;
+    bool waterfall = false;
+    std::string truth; ///< a scene file; empty: the scene itself
 };
 
 [[nodiscard]] Result<RenderPlan> planFrom(const RenderOptions& options);

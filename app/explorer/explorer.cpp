@@ -7,8 +7,11 @@
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
 #include "app/explorer/requests.h"
+#include "app/explorer/sensor_polls.h"
 #include "app/explorer/session.h"
+#include "app/explorer/study_renderer.h"
 #include "app/explorer/thumbnails.h"
+#include "app/explorer/trades.h"
 #include "app/explorer/trust_view.h"
 #include "app/explorer/ui/guide_card.h"
 #include "app/explorer/ui/ui.h"
@@ -134,24 +137,11 @@ void drawInterface(Session& session)
     drawFileBrowser(state);
 }
 
-/// The renderer that studies draw with; null, and said, where GL refuses.
-GlRenderer* benchOf(Session& session)
-{
-    if (session.bench)
-        return &*session.bench;
-    Result<GlRenderer> made = GlRenderer::create(Window::loader());
-    if (!made) {
-        session.state.message = Message{made.error().sentence(), true};
-        return nullptr;
-    }
-    return &session.bench.emplace(*std::move(made));
-}
-
 void tryNextHazard(Session& session)
 {
     if (session.state.extremes.running)
         session.state.extremes.step(
-            programInstruments(benchOf(session), "the window's driver gave no second renderer"));
+            programInstruments(studyRenderer(session), "the window's driver gave no second renderer"));
 }
 
 void turnTable(Session& session, double seconds)
@@ -205,12 +195,14 @@ void drawOnce(Session& session)
     saveAskedWindowPicture(session);
     session.window.showFrame();
     pollPrices(session);
+    pollTrade(session);
     pollDifference(session);
     pollThumbnails(session);
     serveRequests(session);
     pollFiles(session);
     tryNextHazard(session);
     pollFit(session);
+    pollSensorStudy(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
     const bool busy = session.viewport.dragging() || ImGui::IsAnyItemActive();
     recordTape(session, events.keys, busy || session.state.loading.has_value());
@@ -225,8 +217,9 @@ Reasons reasonsOf(const Session& session)
     const bool refine = session.viewport.refinementOwed && !session.viewport.dragging();
     return {
         .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running ||
-                     !session.tape.toPlay.empty(),
-        .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running,
+                     !session.tape.toPlay.empty() || (session.state.trade.running && !session.trades.steps.busy()),
+        .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running ||
+                   session.state.colour.object.running,
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),

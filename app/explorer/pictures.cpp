@@ -93,7 +93,7 @@ Result<std::string> saveWindowPicture(const ExplorerState& state, const Viewport
     const std::vector<std::uint8_t> rgb = readFramebuffer(size, load);
     const std::string chosen = chosenPath(state, path);
     const Notes notes = notesFor(chosen, shownScene(state), recipeOf(state, viewport));
-    if (const Result<void> written = writePng(chosen, size.width, size.height, rgb, notes); !written)
+    if (const Result<void> written = writePng(chosen, size.width, size.height, rgb, {}, notes); !written)
         return written.error();
     return chosen;
 }

@@ -3,6 +3,7 @@
 #include "app/explorer/difference.h"
 #include "core/image/beside.h"
 #include "core/image/picture_file.h"
+#include "core/sensor/picture.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -18,7 +19,11 @@ Result<ShownPicture> mapOf(const Image& a, const Image& b, const Sensor& sensor)
     std::optional<DifferencePicture> map = differenceOf(a, b, sensor.exposure, false, unwatched);
     if (!map)
         return Error{"the pictures of A and B do not compare"};
-    return ShownPicture{{}, map->width, map->height, std::move(map->rgb), {}};
+    ShownPicture picture;
+    picture.codes.width = map->width;
+    picture.codes.height = map->height;
+    picture.codes.rgb = std::move(map->rgb);
+    return picture;
 }
 
 Image together(const Image& a, const Image& b, const Recipe& recipe)
@@ -31,7 +36,7 @@ Image together(const Image& a, const Image& b, const Recipe& recipe)
 ShownPicture developed(Image linear, const Sensor& sensor)
 {
     Developed codes = develop(linear, sensor);
-    return {std::move(linear), codes.width, codes.height, std::move(codes.rgb), codes.counts};
+    return {std::move(linear), std::move(codes)};
 }
 
 } // namespace
@@ -70,6 +75,16 @@ Notes notesFor(const std::string& path, const Scene& scene, const Recipe& recipe
     return keptNotes(scene, recipe, std::filesystem::path(path).parent_path().string());
 }
 
+/// A map has codes of its own, which no sensor made.
+static Result<void> writeCodes(const std::string& path, const ShownPicture& picture, const Sensor& sensor,
+                               const Notes& notes)
+{
+    const Developed& codes = picture.codes;
+    const PngColor color = picture.linear.rgb.empty() ? PngColor() : pngColorOf(sensor);
+    return codes.deep.empty() ? writePng(path, codes.width, codes.height, codes.rgb, color, notes)
+                              : writePng(path, codes.width, codes.height, codes.deep, color, notes);
+}
+
 Result<void> saveShown(const std::string& path, const ShownPicture& picture, const Scene& scene, const Recipe& recipe)
 {
     const auto format = outputFormat(path);
@@ -77,7 +92,7 @@ Result<void> saveShown(const std::string& path, const ShownPicture& picture, con
         return format.error();
     const Notes notes = notesFor(path, scene, recipe);
     if (*format == PictureFormat::Png)
-        return writePng(path, picture.width, picture.height, picture.rgb, notes);
+        return writeCodes(path, picture, scene.sensor, notes);
     if (picture.linear.rgb.empty())
         return Error{"a map of the difference is no linear picture; end the name in .png", path};
     return writeLinear(path, picture.linear, notes);

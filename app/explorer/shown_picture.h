@@ -20,9 +20,7 @@ namespace reflectance::explorer {
 
 struct ShownPicture {
     Image linear; ///< empty for a map of the difference, which has none
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> rgb; ///< as sRGB codes, rows from the top
-    SensorCounts counts;
+    Developed codes;
 };
 
 /// Renders one variant in the given width and height.

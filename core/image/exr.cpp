@@ -5,11 +5,13 @@
 #include "core/image/dimensions.h"
 
 #include <ImfChannelList.h>
+#include <ImfChromaticities.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
 #include <cstring>
@@ -159,6 +161,7 @@ std::string encodedExr(const Image& image, const Notes& notes)
 {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::addChromaticities(header, Imf::Chromaticities()); // the library's default is Rec. 709
     for (const Note& note : notes)
         header.insert(note.key, Imf::StringAttribute(note.text));
     Imf::FrameBuffer buffer;

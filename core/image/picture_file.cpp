@@ -91,9 +91,15 @@ Result<void> writeLinear(const std::string& path, const Image& image, const Note
 }
 
 Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb,
-                      const Notes& notes)
+                      const PngColor& color, const Notes& notes)
 {
-    return writeAtomically(path, encodedPng(width, height, rgb, notes));
+    return writeAtomically(path, encodedPng(width, height, rgb, color, notes));
+}
+
+Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint16_t> rgb,
+                      const PngColor& color, const Notes& notes)
+{
+    return writeAtomically(path, encodedPng(width, height, rgb, color, notes));
 }
 
 } // namespace reflectance

@@ -19,7 +19,8 @@ bool isUtf8(const std::string& text)
 /// Every file that the scene names; empty names stand for none.
 std::vector<std::string> filesOf(const Scene& scene)
 {
-    std::vector<std::string> files{scene.meshFile, scene.environment.file, scene.surface.tableFile};
+    std::vector<std::string> files{scene.meshFile, scene.environment.file, scene.surface.tableFile,
+                                   scene.sensor.response.file};
     if (scene.other)
         files.push_back(scene.other->tableFile);
     return files;

@@ -3,6 +3,7 @@
 #include "core/geometry/load.h"
 #include "core/reflectance/lists.h"
 #include "core/scene/library_surface.h"
+#include "core/scene/sensor_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -22,14 +23,6 @@ constexpr NamedValue<BackgroundKind> backgroundKinds[] = {{"plain", BackgroundKi
                                                           {"environment", BackgroundKind::Environment}};
 
 constexpr NamedValue<Convention> conventions[] = {{"sensor", Convention::Sensor}, {"primary", Convention::Primary}};
-
-template <class T, std::size_t count> std::string nameOf(const NamedValue<T> (&names)[count], T value)
-{
-    for (const NamedValue<T>& named : names)
-        if (named.value == value)
-            return std::string(named.name);
-    return {};
-}
 
 Json array(const Vec3d& v)
 {
@@ -248,8 +241,7 @@ void readScene(ObjectReader object, Scene& scene, const ScenePaths& paths)
     object.readObject("surface", [&](ObjectReader part) { readSurface(part, scene.surface, paths); });
     object.readObject("compare", [&](ObjectReader part) { readSurface(part, scene.other.emplace(), paths); });
     object.readObject("sensor", [&](ObjectReader part) {
-        part.read("exposure", scene.sensor.exposure, -16.0, 16.0);
-        part.finish();
+        readSensor(part, scene.sensor, [&](const std::string& path) { return resolvedPath(paths, path); });
     });
     object.finish();
 }
@@ -259,21 +251,22 @@ Json sceneJson(const Scene& scene, const ScenePaths& paths)
     Json lights = Json::array();
     for (const Light& light : scene.lights)
         lights.push_back(written(light));
-    Json json{{"schema", sceneSchema},
-              {"version", sceneFormatVersion},
-              {"mesh", isStockMesh(scene.meshFile) ? scene.meshFile : writtenPath(paths, scene.meshFile)},
-              {"smooth_normals", scene.recomputeNormals},
-              {"camera",
-               {{"eye", array(scene.camera.eye)},
-                {"target", array(scene.camera.target)},
-                {"up", array(scene.camera.up)},
-                {"field_of_view", scene.camera.fieldOfView}}},
-              {"lights", lights},
-              {"environment", written(scene.environment, paths)},
-              {"background",
-               {{"kind", nameOf(backgroundKinds, scene.background.kind)}, {"color", array(scene.background.color)}}},
-              {"surface", written(scene.surface, paths)},
-              {"sensor", {{"exposure", scene.sensor.exposure}}}};
+    Json json{
+        {"schema", sceneSchema},
+        {"version", sceneFormatVersion},
+        {"mesh", isStockMesh(scene.meshFile) ? scene.meshFile : writtenPath(paths, scene.meshFile)},
+        {"smooth_normals", scene.recomputeNormals},
+        {"camera",
+         {{"eye", array(scene.camera.eye)},
+          {"target", array(scene.camera.target)},
+          {"up", array(scene.camera.up)},
+          {"field_of_view", scene.camera.fieldOfView}}},
+        {"lights", lights},
+        {"environment", written(scene.environment, paths)},
+        {"background",
+         {{"kind", nameOf(backgroundKinds, scene.background.kind)}, {"color", array(scene.background.color)}}},
+        {"surface", written(scene.surface, paths)},
+        {"sensor", writtenSensor(scene.sensor, [&](const std::string& path) { return writtenPath(paths, path); })}};
     if (scene.other)
         json["compare"] = written(*scene.other, paths);
     return json;

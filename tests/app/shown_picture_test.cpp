@@ -53,7 +53,7 @@ TEST(ShownPicture, ShowsTheSurfacesAsAsked)
     EXPECT_EQ(linearAt(VariantView::SideBySide, 11), 0.5F) << "B's first column";
     const auto map = shownPicture(scene, recipeOf(VariantView::Difference), painted);
     ASSERT_TRUE(map);
-    EXPECT_GT(map->rgb[0], map->rgb[2]) << "red: B is brighter";
+    EXPECT_GT(map->codes.rgb[0], map->codes.rgb[2]) << "red: B is brighter";
 }
 
 TEST(ShownPicture, HasTheAskedSizeAndPanesOfOneSize)
@@ -63,7 +63,7 @@ TEST(ShownPicture, HasTheAskedSizeAndPanesOfOneSize)
         recipe.width = width;
         const auto picture = shownPicture(twoSurfaces(), recipe, painted);
         ASSERT_TRUE(picture);
-        EXPECT_EQ(picture->width, width);
+        EXPECT_EQ(picture->codes.width, width);
         EXPECT_EQ(paneWidth(wholeWidth(width)), width);
     }
 }
@@ -92,11 +92,11 @@ TEST(ShownPicture, IsMadeAgainEqualFromWhatItCarries)
         EXPECT_EQ(kept->recipe, recipeOf(shown));
         const auto again = shownPicture(kept->scene, kept->recipe, painted);
         ASSERT_TRUE(again);
-        EXPECT_EQ(again->rgb, picture->rgb) << nameOf(shown);
+        EXPECT_EQ(again->codes.rgb, picture->codes.rgb) << nameOf(shown);
         Scene other = kept->scene; // planted: another surface must show
         other.surface.values["kd"] = {0.3};
         other.other->values["kd"] = {0.7};
-        EXPECT_NE(shownPicture(other, kept->recipe, painted)->rgb, picture->rgb) << nameOf(shown);
+        EXPECT_NE(shownPicture(other, kept->recipe, painted)->codes.rgb, picture->codes.rgb) << nameOf(shown);
     }
 }
 

@@ -12,7 +12,7 @@ const Notes notes{{"Software", "Reflectance Explorer"}, {"reflectance.session", 
 
 TEST(Notes, ComeBackFromPngAndLeaveThePixelsAlone)
 {
-    const std::string with = encodedPng(2, 1, codes, notes), without = encodedPng(2, 1, codes);
+    const std::string with = encodedPng(2, 1, codes, {}, notes), without = encodedPng(2, 1, codes);
     const auto read = notesOfPng(with, "a.png");
     ASSERT_TRUE(read) << read.error().sentence();
     EXPECT_EQ(*read, notes);
@@ -39,13 +39,13 @@ TEST(Notes, ComeBackFromOpenExrAndLeaveThePixelsAlone)
 TEST(Notes, OfManyKilobytesComeBack)
 {
     const std::string text(300000, 'x');
-    EXPECT_EQ(notesOfPng(encodedPng(2, 1, codes, {{"k", text}}), "a.png")->front().text, text);
+    EXPECT_EQ(notesOfPng(encodedPng(2, 1, codes, {}, {{"k", text}}), "a.png")->front().text, text);
     EXPECT_EQ(*findNote(*notesOfExr(encodedExr(Image(1, 1), {{"k", text}}), "a.exr"), "k"), text);
 }
 
 TEST(Notes, ADamagedOneIsLeftOutAndADamagedFileIsRefused)
 {
-    std::string bytes = encodedPng(2, 1, codes, notes);
+    std::string bytes = encodedPng(2, 1, codes, {}, notes);
     const std::size_t at = bytes.find("0.7");
     ASSERT_NE(at, std::string::npos) << "it stands there as it is, for people and their tools";
     bytes[at] = '9'; // the chunk's checksum no longer holds

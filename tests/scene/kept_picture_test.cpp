@@ -52,7 +52,7 @@ TEST(KeptPicture, ComesBackWholeFromBothFormats)
 {
     const Scene scene = unusualScene();
     const Notes notes = keptNotes(scene, unusualRecipe(), "");
-    for (const std::string& bytes : {encodedPng(1, 1, onePixel, notes), encodedExr(Image(1, 1), notes)}) {
+    for (const std::string& bytes : {encodedPng(1, 1, onePixel, {}, notes), encodedExr(Image(1, 1), notes)}) {
         EXPECT_TRUE(carriesSession(bytes));
         const auto kept = keptIn(bytes, "a.picture");
         ASSERT_TRUE(kept) << kept.error().sentence();
