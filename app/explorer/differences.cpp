@@ -1,6 +1,7 @@
 #include "app/explorer/differences.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace reflectance::explorer {
@@ -54,7 +55,7 @@ void pollDifference(Session& session)
     second.measured = session.viewport.pictures;
     second.measuredPerceived = perceived;
     second.work.start([a = session.renderer.readLinear(), b = second.renderer->readLinear(),
-                       exposure = session.state.scene.sensor.exposure,
+                       exposure = std::log2(gainOf(session.state.scene.sensor)),
                        perceived](Progress& progress) { return differenceOf(a, b, exposure, perceived, progress); });
 }
 
