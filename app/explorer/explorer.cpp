@@ -3,14 +3,15 @@
 #include "app/explorer/differences.h"
 #include "app/explorer/fits.h"
 #include "app/explorer/frame_pace.h"
+#include "app/explorer/lab_runs.h"
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
 #include "app/explorer/requests.h"
 #include "app/explorer/sensor_polls.h"
 #include "app/explorer/session.h"
-#include "app/explorer/thumbnails.h"
 #include "app/explorer/study_renderer.h"
+#include "app/explorer/thumbnails.h"
 #include "app/explorer/trades.h"
 #include "app/explorer/trust_view.h"
 #include "app/explorer/ui/ui.h"
@@ -182,6 +183,7 @@ void drawOnce(Session& session)
     tryNextHazard(session);
     pollFit(session);
     pollSensorStudy(session);
+    pollLab(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
     keepSession(session);
     titleWindow(session);
@@ -195,7 +197,7 @@ Reasons reasonsOf(const Session& session)
         .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running ||
                      (session.state.trade.running && !session.trades.steps.busy()),
         .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running ||
-                   session.state.colour.object.running,
+                   session.state.colour.object.running || session.state.lab.running,
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),

@@ -34,6 +34,8 @@ struct Session {
     Background<FitOutcome> fit{Window::wake};
     Background<Photograph> photograph{Window::wake};
     ScreenTexture photographTexture{Window::loader()};
+    std::shared_ptr<LabLive> labLive = std::make_shared<LabLive>();
+    Background<LabOutcome> lab{Window::wake};
     Background<std::vector<Thumbnail>> thumbnails{Window::wake};
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last

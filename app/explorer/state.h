@@ -6,6 +6,7 @@
 #include "app/explorer/exhibition.h"
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/fit_study.h"
+#include "app/explorer/lab_study.h"
 #include "app/explorer/object_price.h"
 #include "app/explorer/sensor_study.h"
 #include "app/explorer/surface_shelf.h"
@@ -39,6 +40,8 @@ struct Request {
         ResetView,
         ResetScene,
         SaveText,
+        OpenText,
+        FitText,
         CancelLoading,
         LeaveCase,
         TogglePage,
@@ -49,9 +52,10 @@ struct Request {
     /// OpenFile: a mesh, scene, environment or measurement, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
     /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
     /// session; OpenFile restores it. SaveText: a name such as "curves.svg", made unique in the pictures folder.
+    /// OpenText, FitText: the same, and the file is opened, or Oren-Nayar is fitted to it.
     /// TogglePage: the number of a page of the workbench, from 0.
     std::string path;
-    std::string text = {}; ///< SaveText: what is written
+    std::string text = {}; ///< SaveText, OpenText, FitText: what is written
 };
 
 /// Kept between sessions where the desktop's conventions put settings.
@@ -145,6 +149,7 @@ struct ExplorerState {
     CurvesPage curves;
     ColourPage colour;
     FitStudy fit;
+    LabStudy lab;
     TablePage tablePage;
     TradeStudy trade;
 
