@@ -70,6 +70,7 @@ int run(int argc, char** argv)
     addMatrix(program, exitCode);
     addTable(program, exitCode);
     addFit(program, exitCode);
+    addSweep(program, exitCode);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -25,5 +25,6 @@ void addCheck(CLI::App& program, int& exitCode);
 void addMatrix(CLI::App& program, int& exitCode);
 void addTable(CLI::App& program, int& exitCode);
 void addFit(CLI::App& program, int& exitCode);
+void addSweep(CLI::App& program, int& exitCode);
 
 } // namespace reflectance::cli

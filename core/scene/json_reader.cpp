@@ -30,7 +30,31 @@ std::string rangeText(double low, double high)
     return std::isfinite(low) || std::isfinite(high) ? " within " + shortest(low) + " .. " + shortest(high) : "";
 }
 
+/// 1-based line of a byte; past the end, the last line.
+long lineAt(std::string_view text, std::size_t byte)
+{
+    const auto position = static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+    return 1 + std::count(text.begin(), text.begin() + position, '\n');
+}
+
 } // namespace
+
+Result<nlohmann::ordered_json> parsedJson(std::string_view text, const std::string& file, const std::string& what)
+{
+    using Json = nlohmann::ordered_json;
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        return Error{"not a JSON " + what + ": a comma, bracket or quote is wrong here", file,
+                     lineAt(text, error.byte)};
+    } catch (const Json::out_of_range& error) {
+        // The message quotes the number; the exception does not tell its place.
+        const auto pieces = split(error.what(), '\'');
+        const std::string number(pieces.size() > 1 ? pieces[1] : "");
+        return Error{"the number " + number + " is too large; give one up to 1e308", file,
+                     lineAt(text, text.find(number))};
+    }
+}
 
 ObjectReader::ObjectReader(const Json& object, std::string where, std::optional<std::string>& problem)
     : object_(&object), where_(std::move(where)), problem_(&problem)

@@ -1,7 +1,8 @@
 // Reads JSON objects key by key with checks; the first problem is kept as a sentence and keys nobody asked for are
-// problems too. Internal to scene files.
+// problems too. For scene files and studies.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/math/vec.h"
 
 #include <array>
@@ -16,6 +17,10 @@
 #include <vector>
 
 namespace reflectance {
+
+/// The text as JSON; the error names `file` and the line, and calls the text a JSON `what` ("scene").
+[[nodiscard]] Result<nlohmann::ordered_json> parsedJson(std::string_view text, const std::string& file,
+                                                        const std::string& what);
 
 /// One word of a choice, as files spell it.
 template <class T> struct NamedValue {
@@ -45,11 +50,13 @@ public:
     template <class T, std::size_t count>
     void readNamed(const char* key, const NamedValue<T> (&names)[count], T& value);
 
+    /// What stands under the key as it is; nullptr where it is not there.
+    [[nodiscard]] const Json* find(const char* key);
+
     void fail(const std::string& sentence); ///< keeps the first sentence only
     void finish();                          ///< complains of keys that nobody read
 
 private:
-    const Json* find(const char* key);
     std::string nameOf(const char* key) const { return where_ + "." + key; }
     std::string chosenName(const char* key, const std::vector<std::string>& names);
 

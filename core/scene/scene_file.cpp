@@ -242,13 +242,6 @@ void readScene(ObjectReader object, Scene& scene, const std::string& folder)
     object.finish();
 }
 
-/// 1-based line of a byte; past the end, the last line.
-long lineAt(std::string_view text, std::size_t byte)
-{
-    const auto position = static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-    return 1 + std::count(text.begin(), text.begin() + position, '\n');
-}
-
 } // namespace
 
 std::string sceneText(const Scene& scene, const std::string& folder)
@@ -278,21 +271,12 @@ std::string sceneText(const Scene& scene, const std::string& folder)
 
 Result<Scene> parseScene(std::string_view text, const std::string& file, const std::string& folder)
 {
-    Json json;
-    try {
-        json = Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        return Error{"not a JSON scene: a comma, bracket or quote is wrong here", file, lineAt(text, error.byte)};
-    } catch (const Json::out_of_range& error) {
-        // The message quotes the number; the exception does not tell its place.
-        const auto pieces = split(error.what(), '\'');
-        const std::string number(pieces.size() > 1 ? pieces[1] : "");
-        return Error{"the number " + number + " is too large; give one up to 1e308", file,
-                     lineAt(text, text.find(number))};
-    }
+    const auto json = parsedJson(text, file, "scene");
+    if (!json)
+        return json.error();
     Scene scene = defaultScene();
     std::optional<std::string> problem;
-    readScene(ObjectReader(json, "scene", problem), scene, folder);
+    readScene(ObjectReader(*json, "scene", problem), scene, folder);
     if (problem)
         return Error{*problem, file};
     return scene;
