@@ -125,8 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{R"({"scene": "nowhere.json", "axes": [{"axis": "n", "values": [1]}]})", "nowhere.json"},
         Wrong{R"({"scene": {"exposre": 1}, "axes": [{"axis": "n", "values": [1]}]})", "unknown key 'exposre'"},
         Wrong{
-            R"({"axes": [{"axis": "n", "from": 1, "to": 2, "steps": 1000000}, {"axis": "ks", "from": 0, "to": 1, "steps": 1000000},
-                 {"axis": "exposure", "from": 0, "to": 1, "steps": 1000000}]})",
+            R"({"axes": [{"axis": "n", "from": 1, "to": 2, "steps": 100001}, {"axis": "ks", "from": 0, "to": 1, "steps": 100001},
+                 {"axis": "exposure", "from": 0, "to": 1, "steps": 100001}]})",
             "more than 1e15 cells"}));
 
 } // namespace
