@@ -1,4 +1,5 @@
 // The program: verbs for scripts, and without a verb the explorer.
+#include "app/cli/command_pages.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/verbs.h"
 #include "app/explorer/explorer.h"
@@ -58,6 +59,9 @@ int run(int argc, char** argv)
     program.add_option("input", input, "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json)");
     std::optional<std::string> environment;
     program.add_option("--environment", environment, "latitude-longitude picture (.exr, .hdr) around the object");
+    bool man = false, completion = false;
+    program.add_flag("--man", man, "print the manual page, made from these tables of options");
+    program.add_flag("--bash-completion", completion, "print what bash completes, made from the same tables");
     int exitCode = Done;
     addRender(program, exitCode);
     addEval(program, exitCode);
@@ -78,6 +82,10 @@ int run(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return refused(
             Error{std::string(error.what()) + "; 'reflectance --help' and 'reflectance VERB --help' tell more"});
+    }
+    if (man || completion) {
+        std::cout << (man ? manPage(program, REFLECTANCE_VERSION) : bashCompletion(program));
+        return Done;
     }
     return program.get_subcommands().empty() ? explore(input, environment) : exitCode;
 }
