@@ -51,6 +51,15 @@ int explore(const std::string& input, const std::optional<std::string>& environm
     return *ended == explorer::Outcome::NoDisplay ? renderInstead(input, environment) : Done;
 }
 
+/// The command line as it was typed.
+std::string typed(int argc, char** argv)
+{
+    std::string text = "reflectance";
+    for (int i = 1; i < argc; ++i)
+        text += std::string(" ") + argv[i];
+    return text;
+}
+
 int run(int argc, char** argv)
 {
     CLI::App program(description, "reflectance");
@@ -75,6 +84,8 @@ int run(int argc, char** argv)
     addTable(program, exitCode);
     addFit(program, exitCode);
     addSweep(program, exitCode);
+    addTrade(program, typed(argc, argv), exitCode);
+    addGoniometer(program, exitCode);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 
 #include <CLI/App.hpp>
+#include <string>
 
 namespace reflectance::cli {
 
@@ -26,5 +27,8 @@ void addMatrix(CLI::App& program, int& exitCode);
 void addTable(CLI::App& program, int& exitCode);
 void addFit(CLI::App& program, int& exitCode);
 void addSweep(CLI::App& program, int& exitCode);
+/// `command`: as it was typed, for the report.
+void addTrade(CLI::App& program, const std::string& command, int& exitCode);
+void addGoniometer(CLI::App& program, int& exitCode);
 
 } // namespace reflectance::cli

@@ -2,6 +2,7 @@
 // problems too. For scene files and studies.
 #pragma once
 
+#include "core/base/named_value.h"
 #include "core/base/result.h"
 #include "core/math/vec.h"
 
@@ -21,12 +22,6 @@ namespace reflectance {
 /// The text as JSON; the error names `file` and the line, and calls the text a JSON `what` ("scene").
 [[nodiscard]] Result<nlohmann::ordered_json> parsedJson(std::string_view text, const std::string& file,
                                                         const std::string& what);
-
-/// One word of a choice, as files spell it.
-template <class T> struct NamedValue {
-    std::string_view name;
-    T value;
-};
 
 class ObjectReader {
 public:
@@ -83,10 +78,7 @@ template <class T> void ObjectReader::readList(const char* key, std::vector<T>& 
 template <class T, std::size_t count>
 void ObjectReader::readNamed(const char* key, const NamedValue<T> (&names)[count], T& value)
 {
-    std::vector<std::string> all;
-    for (const NamedValue<T>& named : names)
-        all.emplace_back(named.name);
-    const std::string chosen = chosenName(key, all);
+    const std::string chosen = chosenName(key, namesIn(names));
     for (const NamedValue<T>& named : names)
         if (named.name == chosen)
             value = named.value;

@@ -26,7 +26,7 @@ bool anyLight(const Scene& scene, LightKind kind)
 std::string Requirements::key() const
 {
     std::string text = model;
-    const auto append = [&text](bool required, const char* name) {
+    const auto append = [&text](bool required, std::string_view name) {
         if (required)
             text.append("+").append(name);
     };
@@ -37,10 +37,11 @@ std::string Requirements::key() const
     append(environmentMap, "map");
     append(table, "table");
     append(holes, "holes");
+    append(lobe != LobeForm::Conditioned, factsOf(lobe).name);
     return text;
 }
 
-Requirements requirementsOf(const Scene& scene)
+Requirements requirementsOf(const Scene& scene, LobeForm lobe)
 {
     const Model& model = modelOf(scene);
     Requirements r;
@@ -51,6 +52,7 @@ Requirements requirementsOf(const Scene& scene)
     r.environmentBackground = scene.background.kind == BackgroundKind::Environment && !isBlack(scene.environment);
     r.environmentMap = (r.environment || r.environmentBackground) && scene.environment.kind == EnvironmentKind::Map;
     r.table = model.text.usesTable && scene.surface.table != nullptr;
+    r.lobe = model.text.usesLobe ? lobe : LobeForm::Conditioned;
     r.holes = r.table && scene.surface.showHoles;
     return r;
 }

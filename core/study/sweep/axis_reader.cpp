@@ -48,7 +48,7 @@ double between(double from, double to, int step, int steps, Scale scale)
     return scale == Scale::Log ? from * std::pow(to / from, t) : from + t * (to - from);
 }
 
-void readRange(ObjectReader& object, Axis& axis)
+void readRange(ObjectReader& object, StudyAxis& axis)
 {
     double from = 0.0, to = 0.0;
     int steps = 0;
@@ -127,7 +127,7 @@ Result<std::string> pointerOf(const Json& base, const std::string& name)
 
 } // namespace
 
-void readAxis(ObjectReader object, Axis& axis)
+void readAxis(ObjectReader object, StudyAxis& axis)
 {
     object.read("axis", axis.name);
     if (axis.name.empty())
@@ -156,7 +156,7 @@ void readAxis(ObjectReader object, Axis& axis)
     object.finish();
 }
 
-Result<void> placeAxis(const nlohmann::ordered_json& base, Axis& axis)
+Result<void> placeAxis(const nlohmann::ordered_json& base, StudyAxis& axis)
 {
     for (const auto& [name, kind] : otherKinds)
         if (name == axis.name)

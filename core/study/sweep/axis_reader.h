@@ -14,9 +14,9 @@ inline constexpr NamedValue<CellRenderer> cellRenderers[] = {{"double", CellRend
                                                              {"vertex", CellRenderer::Vertex}};
 
 /// { "axis": NAME, "values": [...], "names": [...] } or { "axis": NAME, "from": a, "to": b, "steps": n, "scale": "log" }.
-void readAxis(ObjectReader object, Axis& axis);
+void readAxis(ObjectReader object, StudyAxis& axis);
 
 /// Finds what the axis changes, and looks at its values; `base` is the base scene. A sentence if it cannot be.
-[[nodiscard]] Result<void> placeAxis(const nlohmann::ordered_json& base, Axis& axis);
+[[nodiscard]] Result<void> placeAxis(const nlohmann::ordered_json& base, StudyAxis& axis);
 
 } // namespace reflectance

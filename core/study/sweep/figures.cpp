@@ -4,7 +4,7 @@
 #include "core/image/compare.h"
 #include "core/image/perceived.h"
 #include "core/render/cpu/cpu_renderer.h"
-#include "core/render/cpu/vertex_shading.h"
+#include "core/render/cpu/shading_places.h"
 #include "core/render/gl/gl_renderer.h"
 #include "core/scene/scene_file.h"
 
@@ -30,22 +30,23 @@ template <class Work> double millisecondsOf(const Work& work)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+Precision precisionOf(CellRenderer renderer)
+{
+    return renderer == CellRenderer::Float  ? Precision::Float
+           : renderer == CellRenderer::Simd ? Precision::Simd
+                                            : Precision::Double;
+}
+
 Pair byCpu(const Scene& scene, const Cell& cell, Progress* progress)
 {
-    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, cell.settings, progress);
+    const auto samples = std::make_shared<const ViewSamples>(
+        sampleView(*makeRayScene(scene.mesh), scene.camera, cell.settings, progress));
+    const PlacedView view =
+        placedView(samples, *scene.mesh, cell.renderer == CellRenderer::Vertex ? Place::Vertex : Place::Sample);
     Pair pair;
-    pair.milliseconds = millisecondsOf([&] {
-        if (cell.renderer == CellRenderer::Vertex)
-            pair.image = shadePerVertex(samples, scene, Precision::Double);
-        else
-            pair.image = shadeSamples(samples, scene,
-                                      cell.renderer == CellRenderer::Float  ? Precision::Float
-                                      : cell.renderer == CellRenderer::Simd ? Precision::Simd
-                                                                            : Precision::Double,
-                                      progress);
-    });
+    pair.milliseconds = millisecondsOf([&] { pair.image = shadePlaces(view, scene, precisionOf(cell.renderer)); });
     if (cell.renderer != CellRenderer::Double)
-        pair.truth = shadeSamples(samples, scene, Precision::Double, progress);
+        pair.truth = shadeSamples(*samples, scene, Precision::Double, progress);
     return pair;
 }
 

@@ -86,7 +86,7 @@ Result<Found> earlierLines(const std::string& path, const Study& study, bool tim
 std::string sheetHead(const Study& study, bool timing)
 {
     std::string head = "cell,";
-    for (const Axis& axis : study.axes)
+    for (const StudyAxis& axis : study.axes)
         if (hasColumn(axis))
             head += field(axis.name) + ",";
     head +=

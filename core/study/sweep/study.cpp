@@ -32,9 +32,9 @@ Result<std::string> baseScene(const Json* given, const std::string& file, const 
 }
 
 /// Two axes that set the same place, or one inside the other's, whose value would be lost.
-std::string contradiction(const std::vector<Axis>& axes)
+std::string contradiction(const std::vector<StudyAxis>& axes)
 {
-    const auto sets = [](const Axis& axis) {
+    const auto sets = [](const StudyAxis& axis) {
         return axis.kind == AxisKind::Scene  ? axis.pointer
                : axis.kind == AxisKind::View ? std::string("/camera")
                                              : axis.name;
@@ -49,10 +49,10 @@ std::string contradiction(const std::vector<Axis>& axes)
     return "";
 }
 
-const Axis* axisAt(const Study& study, std::string_view pointer)
+const StudyAxis* axisAt(const Study& study, std::string_view pointer)
 {
-    const auto found =
-        std::find_if(study.axes.begin(), study.axes.end(), [&](const Axis& axis) { return axis.pointer == pointer; });
+    const auto found = std::find_if(study.axes.begin(), study.axes.end(),
+                                    [&](const StudyAxis& axis) { return axis.pointer == pointer; });
     return found == study.axes.end() ? nullptr : &*found;
 }
 
@@ -65,9 +65,9 @@ std::string parameterWithoutModel(const Study& study, const Json& base)
                      "its own model; leave one out"
                    : "";
     std::vector<std::string> models{base["surface"]["model"].get<std::string>()};
-    if (const Axis* axis = axisAt(study, "/surface/model"))
+    if (const StudyAxis* axis = axisAt(study, "/surface/model"))
         models = axis->labels.empty() ? models : axis->values;
-    for (const Axis& axis : study.axes) {
+    for (const StudyAxis& axis : study.axes) {
         constexpr std::string_view place = "/surface/parameters/";
         if (!axis.pointer.starts_with(place))
             continue;
@@ -84,10 +84,10 @@ std::string parameterWithoutModel(const Study& study, const Json& base)
     return "";
 }
 
-std::string tooMany(const std::vector<Axis>& axes)
+std::string tooMany(const std::vector<StudyAxis>& axes)
 {
     std::uint64_t count = 1;
-    for (const Axis& axis : axes) {
+    for (const StudyAxis& axis : axes) {
         if (axis.values.size() > mostCells / count)
             return "the axes make more than 1e15 cells; take fewer values";
         count *= axis.values.size();
@@ -112,7 +112,7 @@ void readSettings(ObjectReader& object, Study& study)
 Result<void> completed(Study& study)
 {
     const Json base = Json::parse(study.scene);
-    for (Axis& axis : study.axes)
+    for (StudyAxis& axis : study.axes)
         if (const auto placed = placeAxis(base, axis); !placed)
             return placed;
     for (const std::string& wrong :
@@ -123,7 +123,7 @@ Result<void> completed(Study& study)
 }
 
 /// An object is merged into what stands there, anything else replaces it.
-void put(const Json& value, const Axis& axis, Json& scene)
+void put(const Json& value, const StudyAxis& axis, Json& scene)
 {
     Json& place = scene[Json::json_pointer(axis.pointer)];
     if (axis.pointer == "/surface/library") // what the base scene says of the surface would win over the library
@@ -142,7 +142,7 @@ CellRenderer rendererNamed(const std::string& name)
     return CellRenderer::Double;
 }
 
-void apply(const Axis& axis, const Json& value, Json& scene, Cell& cell)
+void apply(const StudyAxis& axis, const Json& value, Json& scene, Cell& cell)
 {
     switch (axis.kind) {
     case AxisKind::Scene:
@@ -205,7 +205,7 @@ Result<Study> loadStudy(const std::string& path)
 std::uint64_t cellCount(const Study& study)
 {
     std::uint64_t count = 1;
-    for (const Axis& axis : study.axes)
+    for (const StudyAxis& axis : study.axes)
         count *= axis.values.size();
     return count;
 }
@@ -241,7 +241,7 @@ std::string_view nameOf(CellRenderer renderer)
     return cellRenderers[static_cast<int>(renderer)].name;
 }
 
-bool hasColumn(const Axis& axis)
+bool hasColumn(const StudyAxis& axis)
 {
     return axis.kind == AxisKind::Scene || axis.kind == AxisKind::View;
 }

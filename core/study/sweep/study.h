@@ -19,7 +19,7 @@ enum class CellRenderer { Double, Float, Simd, Glsl, Vertex };
 /// What an axis changes: a place in the scene file, or how the scene is looked at.
 enum class AxisKind { Scene, View, Size, Samples, Renderer };
 
-struct Axis {
+struct StudyAxis {
     std::string name; ///< its column
     AxisKind kind = AxisKind::Scene;
     std::string pointer = {};             ///< of the scene file ("/surface/model"), for AxisKind::Scene
@@ -32,7 +32,7 @@ struct Study {
     std::string folder; ///< of the study file
     RenderSettings settings{256, 256, 2};
     CellRenderer renderer = CellRenderer::Simd;
-    std::vector<Axis> axes;
+    std::vector<StudyAxis> axes;
 };
 
 /// Everything that one cell's picture depends on.
@@ -62,6 +62,6 @@ inline constexpr std::uint64_t mostCells = 1'000'000'000'000'000;
 [[nodiscard]] std::string_view nameOf(CellRenderer renderer);
 
 /// Whether the axis has a column of its own; size, samples and renderer stand in every line anyway.
-[[nodiscard]] bool hasColumn(const Axis& axis);
+[[nodiscard]] bool hasColumn(const StudyAxis& axis);
 
 } // namespace reflectance
