@@ -27,16 +27,16 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 # Opened while running: OpenGL without a window.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libosmesa6 | libegl1, libgl1-mesa-dri")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-  "The explorer drags a light over a surface and shows what a formula does.\n It follows the picture through illumination, surface and sensor, with every\n parameter, unit and source at hand, and measures what each model costs and\n how far each arithmetic is from the truth.")
+  "The explorer drags a light over a surface and shows what a formula does.\nIt follows the picture through illumination, surface and sensor, with every\nparameter, unit and source at hand, and measures what each model costs and\nhow far each arithmetic is from the truth.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libreflectance-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libglm-dev, libopenmesh-dev, nlohmann-json3-dev, libpng-dev, libopenexr-dev, libembree-dev, libtbb-dev, libceres-dev, libxsimd-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-  "Headers and static libraries of reflectance::core for other CMake projects:\n find_package(Reflectance).")
+  "Headers and static libraries of reflectance::core for other CMake projects:\nfind_package(Reflectance).")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-reflectance)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
-  "Reflectance models, measured tables and pictures of the Reflectance Explorer\n for numpy: import reflectance.")
+  "Reflectance models, measured tables and pictures of the Reflectance Explorer\nfor numpy: import reflectance.")
 include(CPack)

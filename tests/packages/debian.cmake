@@ -4,7 +4,7 @@ file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}/root" "${SCRATCH}/archive")
 
 must("cpack" "${CMAKE_CPACK_COMMAND}" --config "${BUILD}/CPackConfig.cmake" -B "${SCRATCH}/made"
-  -D CPACK_PACKAGE_DIRECTORY=${SCRATCH}/made)
+  -D CPACK_PACKAGE_DIRECTORY=${SCRATCH}/made -D CPACK_COMPONENTS_ALL=program)
 file(GLOB package "${SCRATCH}/made/reflectance_${VERSION}_*.deb")
 file(GLOB archive "${SCRATCH}/made/reflectance-*.tar.gz")
 
