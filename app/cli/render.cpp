@@ -24,7 +24,7 @@ namespace {
 
 using Options = RenderOptions;
 
-nlohmann::ordered_json report(const Options& options, const Scene& scene, const Recipe& recipe,
+nlohmann::ordered_json report(const Options& options, const Scene& scene, const PictureRecipe& recipe,
                               const Rendered& rendered, const SensorCounts& counts,
                               const std::optional<Waterfall>& waterfall)
 {
@@ -86,7 +86,7 @@ Result<Image> asWritten(const std::string& path)
 /// The picture that was asked for, and what the last rendering of it took.
 struct Made {
     explorer::ShownPicture picture;
-    Recipe recipe;
+    PictureRecipe recipe;
     Rendered last; ///< without its image
 };
 

@@ -31,10 +31,10 @@ struct RenderOptions {
 [[nodiscard]] Result<RenderPlan> planFrom(const RenderOptions& options);
 
 /// What no flag says, as the picture was made.
-[[nodiscard]] RenderOptions completed(RenderOptions options, const Recipe& recipe);
+[[nodiscard]] RenderOptions completed(RenderOptions options, const PictureRecipe& recipe);
 
 /// How to make the picture again. `rendered` tells backend and precision.
-[[nodiscard]] Recipe recipeFrom(const RenderOptions& options, const RenderSettings& settings,
-                                const std::string& backend, const std::string& precision);
+[[nodiscard]] PictureRecipe recipeFrom(const RenderOptions& options, const RenderSettings& settings,
+                                       const std::string& backend, const std::string& precision);
 
 } // namespace reflectance::cli

@@ -277,10 +277,10 @@ Result<Camera> parseCamera(const std::string& text, Camera camera, double aspect
     return camera;
 }
 
-Result<std::optional<Recipe>> recipeOf(const SceneOptions& options)
+Result<std::optional<PictureRecipe>> recipeOf(const SceneOptions& options)
 {
     if (!isPicture(options.input))
-        return std::optional<Recipe>();
+        return std::optional<PictureRecipe>();
     const auto kept = loadKept(options.input);
     if (!kept)
         return kept.error();

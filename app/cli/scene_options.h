@@ -38,7 +38,7 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options);
 [[nodiscard]] Result<Scene> sceneFrom(const SceneOptions& options);
 
 /// How a picture that is the input was made; none where the input is something else.
-[[nodiscard]] Result<std::optional<Recipe>> recipeOf(const SceneOptions& options);
+[[nodiscard]] Result<std::optional<PictureRecipe>> recipeOf(const SceneOptions& options);
 
 /// Size and samples, checked. `fallback` is used where --size was not given.
 [[nodiscard]] Result<RenderSettings> settingsFrom(const SceneOptions& options, RenderSettings fallback = {});

@@ -198,7 +198,7 @@ void serve(Session& session, const Request& request)
 }
 
 /// The two variants as a picture showed them.
-void showAs(CompareView& compare, const Recipe& recipe)
+void showAs(CompareView& compare, const PictureRecipe& recipe)
 {
     compare.divider = static_cast<float>(recipe.divider);
     compare.on = compare.on && recipe.shown != VariantView::A;

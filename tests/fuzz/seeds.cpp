@@ -34,7 +34,7 @@ std::vector<std::string> sceneSeeds()
 
 std::vector<std::string> sessionSeeds()
 {
-    Recipe recipe;
+    PictureRecipe recipe;
     recipe.shown = VariantView::Wipe;
     return {*findNote(keptNotes(defaultScene(), recipe, "/nonexistent"), "reflectance.session"),
             R"({"program": "0.1", "picture": {"width": 3, "samples": 9}, "scene": {"mesh": "sphere"}})"};
