@@ -29,6 +29,7 @@ struct Options {
     std::string shading = "pixel";
     std::string lens;
     std::string lobe = "conditioned";
+    bool general = false;
     int frames = 1;
     std::string reference;
     double threshold = 0.0;
@@ -49,6 +50,7 @@ Result<RenderPlan> planFrom(const Options& options)
     if (!lobe)
         return lobe.error();
     plan.lobe = *lobe;
+    plan.specialised = !options.general;
     if (options.precision.empty())
         return plan;
     if (options.precision == "glsl")
@@ -81,7 +83,7 @@ nlohmann::ordered_json report(const Options& options, const Scene& scene, const 
             {"negative_pixels", counts.negative},
             {"clipped_pixels", counts.clipped},
             {"non_finite_pixels", counts.nonFinite},
-            {"left_out", leftOut(scene)}};
+            {"left_out", options.general ? std::vector<std::string>() : leftOut(scene)}};
 }
 
 /// A form of the lobe asks for a model that has one, and may not be made for its exponent.
@@ -219,6 +221,8 @@ void addRender(CLI::App& program, int& exitCode)
             "how a highlight's (R.V)^n is computed: conditioned (right), power, squarings (whole n), truncated, "
             "schlick or table")
         ->capture_default_str();
+    verb->add_flag("--no-specialise", options->general,
+                   "run the general shader or kernel: terms that are 0 are computed too, for comparison");
     verb->add_option("--lens", options->lens,
                      "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
         ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));

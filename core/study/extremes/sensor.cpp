@@ -51,7 +51,7 @@ std::vector<int> codesInGlsl(Bench& bench, const std::vector<double>& values)
         rows.push_back({up, up, {{up, Vec3d(value), 0.0}}});
     const double noExposure[] = {0.0};
     std::vector<int> codes;
-    for (const Vec3d& encoded : bench.ask({{}, *text, {}}, noExposure, rows))
+    for (const Vec3d& encoded : bench.ask({{}, *text, {}, {}}, noExposure, rows))
         codes.push_back(quantised(encoded.x));
     return codes;
 }
