@@ -79,6 +79,7 @@ int run(int argc, char** argv)
     addMatrix(program, exitCode);
     addTable(program, exitCode);
     addFit(program, exitCode);
+    addBench(program, exitCode);
     addTrade(program, typed(argc, argv), exitCode);
     try {
         program.parse(argc, argv);
