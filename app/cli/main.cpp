@@ -81,6 +81,7 @@ int run(int argc, char** argv)
     addFit(program, exitCode);
     addBench(program, exitCode);
     addTrade(program, typed(argc, argv), exitCode);
+    addGoniometer(program, exitCode);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -29,5 +29,6 @@ void addBench(CLI::App& program, int& exitCode);
 void addFit(CLI::App& program, int& exitCode);
 /// `command`: as it was typed, for the report.
 void addTrade(CLI::App& program, const std::string& command, int& exitCode);
+void addGoniometer(CLI::App& program, int& exitCode);
 
 } // namespace reflectance::cli

@@ -7,9 +7,10 @@
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
 #include "app/explorer/requests.h"
+#include "app/explorer/sensor_polls.h"
 #include "app/explorer/session.h"
-#include "app/explorer/study_renderer.h"
 #include "app/explorer/thumbnails.h"
+#include "app/explorer/study_renderer.h"
 #include "app/explorer/trades.h"
 #include "app/explorer/trust_view.h"
 #include "app/explorer/ui/ui.h"
@@ -180,6 +181,7 @@ void drawOnce(Session& session)
     pollFiles(session);
     tryNextHazard(session);
     pollFit(session);
+    pollSensorStudy(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
     keepSession(session);
     titleWindow(session);
@@ -192,7 +194,8 @@ Reasons reasonsOf(const Session& session)
     return {
         .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running ||
                      (session.state.trade.running && !session.trades.steps.busy()),
-        .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running,
+        .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running ||
+                   session.state.colour.object.running,
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),

@@ -32,10 +32,16 @@ struct Session {
     Background<Prices> prices{Window::wake};
     Trust trust{Window::wake};
     Background<FitOutcome> fit{Window::wake};
+    Background<Photograph> photograph{Window::wake};
+    ScreenTexture photographTexture{Window::loader()};
     Background<std::vector<Thumbnail>> thumbnails{Window::wake};
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
     Autosave autosave{stateFolder()};
+
+    Background<Waterfall> waterfall{Window::wake};
+    std::shared_ptr<const Rested> waterfallAsked; ///< the picture that it was last asked of
+    Background<ObjectPrices> objectPrices{Window::wake};
 
     Background<TableFacts> tableFacts{Window::wake};
     std::shared_ptr<const MeasuredTable> tableAsked; ///< that the facts were last asked of

@@ -4,6 +4,7 @@
 #include "app/explorer/ui/workbench/curves_page.h"
 #include "app/explorer/ui/workbench/extremes_page.h"
 #include "app/explorer/ui/workbench/fit_page.h"
+#include "app/explorer/ui/workbench/sensor_page.h"
 #include "app/explorer/ui/workbench/surfaces_page.h"
 #include "app/explorer/ui/workbench/table_page.h"
 #include "app/explorer/ui/workbench/trade_page.h"
@@ -24,6 +25,9 @@ std::span<const WorkbenchPage> workbenchPages()
         {"colour", "Colour", "Where K comes from: filters, primaries, and what a diagonal K costs.", drawColourPage},
         {"extremes", "Extremes", "The inputs at which reflectance code breaks, tried on this machine.",
          drawExtremesPage},
+        {"sensor", "Sensor",
+         "Where the picture's difference from the truth comes from: model, precision, sensor, encoding.",
+         drawSensorPage},
         {"trade", "Trade", "What every cheaper way of drawing this view loses and saves, measured here.",
          drawTradePage},
     };
