@@ -92,6 +92,7 @@ int run(int argc, char** argv)
     addTable(program, exitCode);
     addFit(program, exitCode);
     addSweep(program, exitCode);
+    addBench(program, exitCode);
     addTrade(program, typed(argc, argv), exitCode);
     addGoniometer(program, exitCode);
     try {

@@ -43,7 +43,7 @@ nlohmann::ordered_json report(const Options& options, const Scene& scene, const 
                                    {"negative_pixels", counts.negative},
                                    {"clipped_pixels", counts.clipped},
                                    {"non_finite_pixels", counts.nonFinite},
-                                   {"left_out", leftOut(scene)}};
+                                   {"left_out", options.general ? std::vector<std::string>() : leftOut(scene)}};
     if (waterfall)
         figures["waterfall"] = waterfallReport(*waterfall);
     return figures;
@@ -237,6 +237,8 @@ void addRender(CLI::App& program, int& exitCode)
     verb->add_option("--lobe", options->lobe,
                      "how a highlight's (R.V)^n is computed: conditioned (right, the default), power, squarings (whole "
                      "n), truncated, schlick or table");
+    verb->add_flag("--no-specialise", options->general,
+                   "run the general shader or kernel: terms that are 0 are computed too, for comparison");
     verb->add_option("--lens", options->lens,
                      "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
         ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));

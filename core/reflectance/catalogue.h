@@ -4,10 +4,12 @@
 #include "core/reflectance/kernel.h"
 #include "core/reflectance/lobe_form.h"
 #include "core/reflectance/model_text.h"
+#include "core/reflectance/special_form.h"
 
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reflectance {
@@ -22,8 +24,12 @@ struct Model : Kernels {
     ModelText text;
     std::vector<Kernels> otherLobes; ///< with the other forms of the lobe, in their order; empty where it calls none
 
+    std::vector<std::pair<SpecialForm, Kernels>> specials; ///< the forms that have kernels of their own
+
     /// The model's own kernels where it has no lobe.
     [[nodiscard]] const Kernels& with(LobeForm form) const;
+    /// The form's kernels with the conditioned lobe, or the model's own; the form must be one that the values allow.
+    [[nodiscard]] const Kernels& with(const SpecialForm& form) const;
 
     [[nodiscard]] const std::string& id() const { return text.id; }
 };

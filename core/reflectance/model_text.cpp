@@ -110,15 +110,21 @@ private:
         return true;
     }
 
-    /// "lambert_color where ks=0"
+    /// "lambert_color where ks=0", then "exactly" or "exactly facing"
     bool readLimit(std::string_view value)
     {
         const auto pieces = words(value);
-        if (pieces.size() != 3 || pieces[1] != "where" || pieces[2].find('=') == std::string_view::npos)
-            return failed("expected: becomes MODEL where NAME=VALUE;NAME=VALUE without blanks between");
+        const bool exactly = pieces.size() > 3 && pieces[3] == "exactly";
+        const bool facing = pieces.size() > 4 && exactly && pieces[4] == "facing";
+        if (pieces.size() != (facing    ? 5U
+                              : exactly ? 4U
+                                        : 3U) ||
+            pieces[1] != "where" || pieces[2].find('=') == std::string_view::npos)
+            return failed("expected: becomes MODEL where NAME=VALUE;NAME=VALUE without blanks between, then nothing, "
+                          "'exactly' or 'exactly facing'");
         if (!findEarlier(pieces[0]))
             return failed("becomes names no earlier model: " + std::string(pieces[0]));
-        model_.becomes.push_back({std::string(pieces[0]), std::string(pieces[2])});
+        model_.becomes.push_back({std::string(pieces[0]), std::string(pieces[2]), exactly, facing});
         return true;
     }
 

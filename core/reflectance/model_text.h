@@ -21,6 +21,8 @@ struct DeclaredProperty {
 struct DeclaredLimit {
     std::string model; ///< id of an earlier model
     std::string where; ///< "ks=0" or "K=kd", assignments separated by ";"; a name on the right is the other's parameter
+    bool exactly = false; ///< equal by == in double, so that the other may stand for it; else to a few last places
+    bool facing = false;  ///< but for viewers behind the surface, where this one is black
 };
 
 /// Everything that stands in shaders/reflectance/<id>.glsl.

@@ -30,7 +30,7 @@ std::vector<std::string> definesFor(const Requirements& r, Place place)
 
 ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place place)
 {
-    std::vector<ShaderPiece> pieces = modelPieces(model, r.table, r.lobe);
+    std::vector<ShaderPiece> pieces = modelPieces(model, r.table, r.lobe, r.form);
     if (r.holes)
         pieces.push_back(shaderFile("measured/holes.glsl"));
     if (r.environment || r.environmentBackground) {
@@ -131,7 +131,7 @@ Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs&
         if (auto shown = table_.show(program, inputs.table, Unit::MeasuredTexels); !shown)
             return shown;
     const ModelText& model = (*findModel(inputs.requirements.model))->text;
-    uploadParameters(program, model, inputs.values);
+    uploadParameters(program, model, inputs.values, inputs.requirements.form);
     if (inputs.requirements.lobe == LobeForm::Table)
         uploadLobeTable(program, model, inputs.values);
     keepIn(inputs.how.halfBuffer);
