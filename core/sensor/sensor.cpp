@@ -1,5 +1,6 @@
 #include "core/sensor/sensor.h"
 
+#include "core/base/parallel.h"
 #include "sensor_texts.gen.h"
 
 #include <algorithm>
@@ -24,10 +25,27 @@ Developed develop(const Image& image, const Sensor& sensor)
     text.exposure = sensor.exposure;
     const double gain = std::exp2(sensor.exposure);
     Developed picture{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size()), {}};
-    std::transform(image.rgb.begin(), image.rgb.end(), picture.rgb.begin(),
-                   [&text](float radiance) { return quantised(text.developChannel(double{radiance})); });
-    for (std::size_t i = 0; i < image.pixels(); ++i)
-        count(picture.counts, &image.rgb[3 * i], gain);
+    constexpr std::size_t pixelsPerRange = 16384;
+    std::vector<SensorCounts> counts((image.pixels() + pixelsPerRange - 1) / pixelsPerRange);
+    inRanges(threadsFor(0), image.pixels(), pixelsPerRange,
+             [&](std::size_t range, std::size_t first, std::size_t last) {
+                 float radiance = 0.0F; // grey pixels and plain backgrounds repeat it: the curve's power is what costs
+                 std::uint8_t code = quantised(text.developChannel(0.0));
+                 for (std::size_t i = 3 * first; i < 3 * last; ++i) {
+                     if (image.rgb[i] != radiance) {
+                         radiance = image.rgb[i];
+                         code = quantised(text.developChannel(double{radiance}));
+                     }
+                     picture.rgb[i] = code;
+                 }
+                 for (std::size_t i = first; i < last; ++i)
+                     count(counts[range], &image.rgb[3 * i], gain);
+             });
+    for (const SensorCounts& range : counts) {
+        picture.counts.negative += range.negative;
+        picture.counts.clipped += range.clipped;
+        picture.counts.nonFinite += range.nonFinite;
+    }
     return picture;
 }
 
