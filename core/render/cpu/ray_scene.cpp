@@ -34,28 +34,39 @@ void attachTriangles(RTCDevice device, RTCScene scene, const Mesh& mesh)
     rtcReleaseGeometry(geometry);
 }
 
-/// Starts the ray where it enters the mesh's sphere, found in double: floats are then as fine as the mesh, however far
-/// away the eye is. A ray that misses the sphere is not traced.
-void placeRay(RTCRay8& rays, int* valid, std::size_t i, const RayPacket& packet, double radius)
+/// Starts the rays where they enter the mesh's sphere, found in double: floats are then as fine as the mesh, however far
+/// away the eye is. A ray that misses the sphere is not traced. True if any is. One number of all rays at a time: so the
+/// compiler makes vectors of it.
+bool placeRays(RTCRay8& rays, int* valid, const RayPacket& packet, double radius)
 {
-    const Vec3d& direction = packet.directions[i];
-    const double nearest = -dot(packet.eye, direction);
-    const Vec3d foot = packet.eye + nearest * direction;
     const double reach = 1.001 * radius;
-    valid[i] = packet.active[i] && nearest > -reach && dot(foot, foot) < reach * reach ? -1 : 0;
-    const Vec3d origin = packet.eye + std::max(0.0, nearest - reach) * direction;
-    rays.org_x[i] = static_cast<float>(origin.x);
-    rays.org_y[i] = static_cast<float>(origin.y);
-    rays.org_z[i] = static_cast<float>(origin.z);
-    rays.dir_x[i] = static_cast<float>(direction.x);
-    rays.dir_y[i] = static_cast<float>(direction.y);
-    rays.dir_z[i] = static_cast<float>(direction.z);
-    rays.tnear[i] = 0.0F;
-    rays.tfar[i] = std::numeric_limits<float>::infinity();
-    rays.time[i] = 0.0F;
-    rays.mask[i] = 0xFFFFFFFF;
-    rays.id[i] = 0;
-    rays.flags[i] = 0;
+    std::array<double, RayPacket::size> start;
+    int any = 0;
+    for (std::size_t i = 0; i < RayPacket::size; ++i) {
+        const double nearest = -(packet.eye.x * packet.x[i] + packet.eye.y * packet.y[i] + packet.eye.z * packet.z[i]);
+        const double footX = packet.eye.x + nearest * packet.x[i];
+        const double footY = packet.eye.y + nearest * packet.y[i];
+        const double footZ = packet.eye.z + nearest * packet.z[i];
+        const double squared = footX * footX + footY * footY + footZ * footZ;
+        valid[i] = packet.active[i] && nearest > -reach && squared < reach * reach ? -1 : 0;
+        any |= valid[i];
+        start[i] = std::max(0.0, nearest - reach);
+    }
+    for (std::size_t i = 0; i < RayPacket::size; ++i) {
+        rays.org_x[i] = static_cast<float>(packet.eye.x + start[i] * packet.x[i]);
+        rays.org_y[i] = static_cast<float>(packet.eye.y + start[i] * packet.y[i]);
+        rays.org_z[i] = static_cast<float>(packet.eye.z + start[i] * packet.z[i]);
+        rays.dir_x[i] = static_cast<float>(packet.x[i]);
+        rays.dir_y[i] = static_cast<float>(packet.y[i]);
+        rays.dir_z[i] = static_cast<float>(packet.z[i]);
+        rays.tnear[i] = 0.0F;
+        rays.tfar[i] = std::numeric_limits<float>::infinity();
+        rays.time[i] = 0.0F;
+        rays.mask[i] = 0xFFFFFFFF;
+        rays.id[i] = 0;
+        rays.flags[i] = 0;
+    }
+    return any != 0;
 }
 
 } // namespace
@@ -86,9 +97,12 @@ RayScene::RayScene(std::shared_ptr<const Mesh> mesh)
 std::array<std::uint32_t, 8> RayScene::firstTriangles(const RayPacket& packet) const
 {
     alignas(32) RTCRayHit8 rays;
-    alignas(32) int valid[8];
-    for (std::size_t i = 0; i < 8; ++i) {
-        placeRay(rays.ray, valid, i, packet, radius_);
+    alignas(32) int valid[RayPacket::size];
+    std::array<std::uint32_t, RayPacket::size> triangles{};
+    triangles.fill(nothing);
+    if (!placeRays(rays.ray, valid, packet, radius_))
+        return triangles;
+    for (std::size_t i = 0; i < RayPacket::size; ++i) {
         rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         rays.hit.primID[i] = nothing;
     }
@@ -96,10 +110,9 @@ std::array<std::uint32_t, 8> RayScene::firstTriangles(const RayPacket& packet) c
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect8(valid, scene_.get(), &context, &rays);
-
-    std::array<std::uint32_t, 8> triangles{};
-    for (std::size_t i = 0; i < 8; ++i)
-        triangles[i] = valid[i] != 0 && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? rays.hit.primID[i] : nothing;
+    for (std::size_t i = 0; i < RayPacket::size; ++i)
+        if (valid[i] != 0 && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+            triangles[i] = rays.hit.primID[i];
     return triangles;
 }
 
