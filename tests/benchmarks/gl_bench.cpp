@@ -2,31 +2,17 @@
 // pixel, hybrid. Frames of the two alternate in one loop, so that a busy machine slows both; `ratio` is what counts.
 #include "core/render/gl/gl_renderer.h"
 #include "core/render/headless/headless_context.h"
+#include "tests/benchmarks/alternate.h"
 #include "tests/benchmarks/forward_gl.h"
 #include "tests/benchmarks/knot.h"
 
-#include <algorithm>
-#include <benchmark/benchmark.h>
-#include <chrono>
+#include <cstdlib>
 
 namespace reflectance::bench {
 namespace {
 
 constexpr int side = 1024;
 constexpr RenderSettings settings{side, side, 1};
-
-template <class Work> double millisecondsOf(const Work& work)
-{
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double>& times)
-{
-    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-    return times[times.size() / 2];
-}
 
 Scene sceneOf(std::int64_t triangles, std::int64_t lights)
 {
@@ -37,22 +23,6 @@ Scene sceneOf(std::int64_t triangles, std::int64_t lights)
     const Light first = scene.lights.front();
     scene.lights.assign(static_cast<std::size_t>(lights), first);
     return scene;
-}
-
-/// Runs both, turn about, and reports medians and their ratio.
-template <class Ours, class Yardstick>
-void compareFrames(benchmark::State& state, const Ours& ours, const Yardstick& yardstick)
-{
-    std::vector<double> mine, its;
-    ours();
-    yardstick();
-    for (auto _ : state) {
-        mine.push_back(millisecondsOf(ours));
-        its.push_back(millisecondsOf(yardstick));
-    }
-    state.counters["ours_ms"] = median(mine);
-    state.counters["yardstick_ms"] = median(its);
-    state.counters["ratio"] = median(mine) / median(its);
 }
 
 struct Pair {
@@ -80,7 +50,7 @@ void firstFrame(benchmark::State& state)
     Pair pair(state.range(0), state.range(1));
     const Camera rest = pair.scene.camera;
     int frame = 0;
-    compareFrames(
+    alternate(
         state,
         [&] {
             pair.scene.camera = rest;
@@ -101,7 +71,7 @@ BENCHMARK(firstFrame)
 void reshadeGl(benchmark::State& state)
 {
     Pair pair(state.range(0), 1);
-    compareFrames(
+    alternate(
         state,
         [&] {
             pair.renderer.invalidateShading();
