@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/scene/library_surface.h"
 #include "core/scene/scene_file.h"
+#include "core/sensor/fields.h"
 
 #include <cmath>
 #include <numbers>
@@ -123,10 +124,29 @@ Result<void> setBackground(const std::string& text, Background& background)
     return {};
 }
 
+bool isPicture(const std::string& input)
+{
+    return lowered(input).ends_with(".png") || lowered(input).ends_with(".exr");
+}
+
+/// Scene files and pictures hold a whole scene, its camera included.
+bool holdsScene(const std::string& input)
+{
+    return lowered(input).ends_with(".json") || isPicture(input);
+}
+
+Result<Scene> sceneOfPicture(const std::string& input)
+{
+    auto kept = loadKept(input);
+    if (!kept)
+        return kept.error();
+    return std::move(kept->scene);
+}
+
 Result<Scene> openInput(const std::string& input, bool smooth)
 {
-    const bool isScene = lowered(input).ends_with(".json");
-    auto scene = isScene ? loadScene(input) : Result(defaultScene());
+    const bool isScene = holdsScene(input);
+    auto scene = isPicture(input) ? sceneOfPicture(input) : isScene ? loadScene(input) : Result(defaultScene());
     if (!scene || (!smooth && (isScene || input.empty())))
         return scene;
     if (!isScene && !input.empty())
@@ -160,6 +180,18 @@ Result<void> setSurface(const SceneOptions& options, Surface& surface)
     return {};
 }
 
+Result<void> setSensor(const SceneOptions& options, Sensor& sensor)
+{
+    for (const std::string& assignment : options.sensor)
+        if (const auto set = setOnSensor(assignment, sensor); !set)
+            return Error{"--sensor " + assignment + ": " + set.error().message};
+    sensor.view.marks = sensor.view.marks || options.markClipped;
+    for (const auto& kind : sensorViewKinds)
+        if (kind.name == options.view)
+            sensor.view.kind = kind.value;
+    return {};
+}
+
 Result<void> setLights(const SceneOptions& options, std::vector<Light>& lights)
 {
     if (!options.lights.empty())
@@ -178,18 +210,20 @@ Result<void> setLights(const SceneOptions& options, std::vector<Light>& lights)
 
 void addSceneOptions(CLI::App& verb, SceneOptions& options)
 {
-    verb.add_option("input", options.input,
-                    "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json); default: the mug");
+    verb.add_option(
+        "input", options.input,
+        "mesh (OBJ, PLY, OFF, STL), stock mesh name, scene file (.json) or a picture that this program saved "
+        "(.png, .exr); default: the mug");
     verb.add_flag("--smooth", options.smooth, "compute the normals anew: faceted files look round");
     verb.add_option("--size", options.size, "WxH in pixels");
-    verb.add_option("--samples", options.samples, "samples per pixel: 1, 4, 9, 16, 25, 36, 49 or 64")
-        ->capture_default_str();
+    verb.add_option("--samples", options.samples, "samples per pixel: 1, 4, 9, 16, 25, 36, 49 or 64 (default 4)");
     verb.add_option("--surface", options.surface,
                     "a surface of the library, by id or name: its model and parameters; 'reflectance surfaces' lists "
                     "them; --model and --set come after it");
     verb.add_option("--model", options.model, "reflectance model; 'reflectance models' lists them");
     verb.add_option("--set", options.assignments,
-                    "NAME=VALUE of a model parameter; matrices row by row, numbers parted by commas; file=PATH of a measured table");
+                    "NAME=VALUE of a model parameter; matrices row by row, numbers parted by commas; file=PATH of a "
+                    "measured table");
     verb.add_flag("--holes", options.showHoles, "stripes where a measured table has no value, instead of black");
     verb.add_option("--light", options.lights, lightHelp);
     verb.add_option("--camera", options.camera, cameraHelp);
@@ -197,6 +231,18 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options)
                     "none, studio, constant:R,G,B, or a latitude-longitude picture (.exr, .hdr)");
     verb.add_option("--background", options.background, "environment, or a linear colour R,G,B");
     verb.add_option("--exposure", options.exposure, "EV: radiance times 2^EV before the sensor, -16 .. 16");
+    verb.add_option(
+        "--sensor", options.sensor,
+        "PART=VALUE[:KEY=VALUE...] of the sensor, VALUE being on, off or that of the part's first key, as in "
+        "noise=8:seed=3, quantisation=10, encoding=rec709, response=curve:file=CURVE.csv, well=off, or all=off; the "
+        "parts "
+        "and their keys: " +
+            sensorGrammar());
+    verb.add_option("--view", options.view,
+                    "what a PNG shows: picture, luminance or false-colour (one colour per stop)")
+        ->check(CLI::IsMember(namesIn(sensorViewKinds)));
+    verb.add_flag("--mark-clipped", options.markClipped,
+                  "paint stripes where a PNG is clipped (orange) or negative (blue), magenta where it is no number");
 }
 
 Result<Light> parseLight(const std::string& text)
@@ -241,16 +287,26 @@ Result<Camera> parseCamera(const std::string& text, Camera camera, double aspect
     return camera;
 }
 
+Result<std::optional<Recipe>> recipeOf(const SceneOptions& options)
+{
+    if (!isPicture(options.input))
+        return std::optional<Recipe>();
+    const auto kept = loadKept(options.input);
+    if (!kept)
+        return kept.error();
+    return std::optional(kept->recipe);
+}
+
 Result<RenderSettings> settingsFrom(const SceneOptions& options, RenderSettings fallback)
 {
     if (options.size.empty())
-        return checkedSettings(fallback.width, fallback.height, options.samples);
+        return checkedSettings(fallback.width, fallback.height, options.samples.value_or(4));
     const auto sides = split(options.size, 'x');
     const auto width = parseInteger(sides[0]);
     const auto height = sides.size() == 2 ? parseInteger(sides[1]) : std::nullopt;
     if (!width || !height || std::abs(*width) > 1000000 || std::abs(*height) > 1000000)
         return Error{"--size " + options.size + ": write WIDTHxHEIGHT, as in 1024x768"};
-    return checkedSettings(static_cast<int>(*width), static_cast<int>(*height), options.samples);
+    return checkedSettings(static_cast<int>(*width), static_cast<int>(*height), options.samples.value_or(4));
 }
 
 Result<Scene> sceneFrom(const SceneOptions& options)
@@ -262,7 +318,7 @@ Result<Scene> sceneFrom(const SceneOptions& options)
     auto scene = openInput(options.input, options.smooth);
     if (!scene)
         return scene;
-    if (!lowered(options.input).ends_with(".json"))
+    if (!holdsScene(options.input))
         scene->camera = framed(scene->camera, aspect);
     if (!options.camera.empty()) {
         auto camera = parseCamera(options.camera, scene->camera, aspect);
@@ -272,6 +328,8 @@ Result<Scene> sceneFrom(const SceneOptions& options)
     }
     if (const auto set = setSurface(options, scene->surface); !set)
         return set.error();
+    if (scene->other)
+        scene->other->showHoles = options.showHoles;
     if (const auto set = setLights(options, scene->lights); !set)
         return set.error();
     if (!options.environment.empty())
@@ -285,6 +343,8 @@ Result<Scene> sceneFrom(const SceneOptions& options)
             return Error{"--exposure " + general(*options.exposure, 6) + " is out of range; give a value in -16 .. 16"};
         scene->sensor.exposure = *options.exposure;
     }
+    if (const auto set = setSensor(options, scene->sensor); !set)
+        return set.error();
     return scene;
 }
 

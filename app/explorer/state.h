@@ -2,12 +2,18 @@
 // frame loop draws it. No GL and no ImGui in here.
 #pragma once
 
-#include "app/explorer/exhibition.h"
 #include "app/explorer/comparison.h"
+#include "app/explorer/exhibition.h"
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/fit_study.h"
+#include "app/explorer/guide.h"
+#include "app/explorer/history.h"
+#include "app/explorer/lab_study.h"
+#include "app/explorer/object_price.h"
+#include "app/explorer/sensor_study.h"
 #include "app/explorer/surface_shelf.h"
 #include "app/explorer/table_study.h"
+#include "app/explorer/trade_study.h"
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
@@ -36,9 +42,15 @@ struct Request {
         ResetView,
         ResetScene,
         SaveText,
+        OpenText,
+        FitText,
         CancelLoading,
         LeaveCase,
         TogglePage,
+        Undo,
+        Redo,
+        GoToStep,
+        ShowTour,
         Dismiss,
         Quit
     };
@@ -46,9 +58,11 @@ struct Request {
     /// OpenFile: a mesh, scene, environment or measurement, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
     /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
     /// session; OpenFile restores it. SaveText: a name such as "curves.svg", made unique in the pictures folder.
-    /// TogglePage: the number of a page of the workbench, from 0.
+    /// OpenText, FitText: the same, and the file is opened, or Oren-Nayar is fitted to it.
+    /// TogglePage: the number of a page of the workbench, from 0. GoToStep: an index into the history's
+    /// steps. ShowTour: the number of a step of the tour; empty for the last one seen.
     std::string path;
-    std::string text = {}; ///< SaveText: what is written
+    std::string text = {}; ///< SaveText, OpenText, FitText: what is written
 };
 
 /// Kept between sessions where the desktop's conventions put settings.
@@ -61,6 +75,7 @@ struct Preferences {
     std::string workbenchPage;      ///< id of the open page; empty while the workbench is closed
     int samplesPerAxis = 2;
     bool showLightHandles = true;
+    int tourStep = 1; ///< the last one seen
 };
 
 /// A mesh being read on another thread.
@@ -99,14 +114,18 @@ struct ColourPage {
     std::optional<ColorQuestion> asked; ///< the question that was answered last
     std::optional<ColorAnswer> answer;  ///< the last good one
     std::string problem;                ///< why there is none for `asked`
+    bool showsPair = false;             ///< a metameric pair in the chart's place
+    ObjectStudy object;
 };
 
 struct ExplorerState {
     Scene scene;
     CompareView compare;
+    History history;
     SurfaceShelf shelf;
     int selectedLight = 0; ///< index into scene.lights, -1 for none
     int soloLight = -1;    ///< only this light shines; -1 for all
+    std::string soloPart;  ///< of the sensor: only this part works, beside exposure and encoding; empty for all
     bool turntable = false;
     bool showHelp = false;
     bool showFileBrowser = false;
@@ -123,6 +142,8 @@ struct ExplorerState {
     std::vector<PriceTag> priceTags; ///< of the current scene; empty while being measured
     bool measuringPrices = false;
     std::optional<SensorCounts> sensorCounts; ///< of the last picture; none where they were not counted
+    std::optional<PixelReading> pixel;        ///< under the mouse, of the picture at rest
+    SensorStudy sensorStudy;
 
     // What is known of the picture at rest.
     std::optional<GlCheck> glCheck;  ///< GL against double; none while it is being looked at
@@ -133,11 +154,14 @@ struct ExplorerState {
 
     ExtremesStudy extremes;
     ExtremesPage extremesPage;
-    std::optional<PutAside> putAside; ///< a hazard's case is shown, and the user's scene waits here
+    std::optional<PutAside> putAside; ///< a hazard's case or the tour is shown, and the user's scene waits here
+    Guide guide;
     CurvesPage curves;
     ColourPage colour;
     FitStudy fit;
+    LabStudy lab;
     TablePage tablePage;
+    TradeStudy trade;
 
     // Between the panels and the frame loop.
     PanelMemory panels;

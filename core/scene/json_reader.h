@@ -2,6 +2,8 @@
 // problems too. Internal to scene files.
 #pragma once
 
+#include "core/base/named_value.h"
+#include "core/base/result.h"
 #include "core/math/vec.h"
 
 #include <array>
@@ -13,20 +15,17 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace reflectance {
-
-/// One word of a choice, as files spell it.
-template <class T> struct NamedValue {
-    std::string_view name;
-    T value;
-};
 
 class ObjectReader {
 public:
     using Json = nlohmann::ordered_json;
     static constexpr double inf = std::numeric_limits<double>::infinity();
+
+    template <class T> using ReadOne = const std::type_identity_t<std::function<void(ObjectReader, T&)>>&;
 
     /// `where` names the object in sentences; `problem` receives the first one.
     ObjectReader(const Json& object, std::string where, std::optional<std::string>& problem);
@@ -35,15 +34,19 @@ public:
     void read(const char* key, int& value, int low, int high);
     void read(const char* key, bool& value);
     void read(const char* key, std::string& value);
+    void readTexts(const char* key, std::vector<std::string>& texts);
     void read(const char* key, Vec3d& value, double low = -inf);
     void read(const char* key, std::array<double, 9>& matrix);
     void eachNumberList(const char* key,
                         const std::function<void(const std::string&, const std::vector<double>&)>& take);
     void readObject(const char* key, const std::function<void(ObjectReader)>& take);
 
-    template <class T> void readList(const char* key, std::vector<T>& list, void (*readOne)(ObjectReader, T&));
+    template <class T> void readList(const char* key, std::vector<T>& list, ReadOne<T> readOne);
     template <class T, std::size_t count>
     void readNamed(const char* key, const NamedValue<T> (&names)[count], T& value);
+
+    /// Keys "schema" and "version": another schema or a newer version is a problem.
+    void readVersion(const std::string& schema, int newest);
 
     void fail(const std::string& sentence); ///< keeps the first sentence only
     void finish();                          ///< complains of keys that nobody read
@@ -59,7 +62,14 @@ private:
     std::set<std::string> known_;
 };
 
-template <class T> void ObjectReader::readList(const char* key, std::vector<T>& list, void (*readOne)(ObjectReader, T&))
+/// A file's JSON; the Error names a syntax error's line. `what`: "a JSON scene".
+[[nodiscard]] Result<ObjectReader::Json> parsedJson(std::string_view text, const std::string& what,
+                                                    const std::string& file);
+
+/// As the program writes it. Names of files need not be UTF-8; what is not is replaced.
+[[nodiscard]] std::string jsonText(const ObjectReader::Json& json);
+
+template <class T> void ObjectReader::readList(const char* key, std::vector<T>& list, ReadOne<T> readOne)
 {
     const Json* json = find(key);
     if (!json)
@@ -76,10 +86,7 @@ template <class T> void ObjectReader::readList(const char* key, std::vector<T>& 
 template <class T, std::size_t count>
 void ObjectReader::readNamed(const char* key, const NamedValue<T> (&names)[count], T& value)
 {
-    std::vector<std::string> all;
-    for (const NamedValue<T>& named : names)
-        all.emplace_back(named.name);
-    const std::string chosen = chosenName(key, all);
+    const std::string chosen = chosenName(key, namesIn(names));
     for (const NamedValue<T>& named : names)
         if (named.name == chosen)
             value = named.value;

@@ -1,7 +1,7 @@
 #include "core/sensor/sensor.h"
 
 #include "core/base/parallel.h"
-#include "sensor_texts.gen.h"
+#include "core/sensor/develop_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,38 +9,81 @@
 namespace reflectance {
 namespace {
 
-void count(SensorCounts& counts, const float* rgb, double gain)
+Vec3d radianceAt(const Image& image, int x, int y)
+{
+    const float* rgb = image.at(x, y);
+    return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
+}
+
+void count(SensorCounts& counts, const float* rgb, bool clipped)
 {
     const auto any = [rgb](auto holds) { return std::any_of(rgb, rgb + 3, holds); };
     counts.negative += any([](float c) { return c < 0.0F; });
-    counts.clipped += any([gain](float c) { return gain * double{c} > 1.0; });
+    counts.clipped += clipped;
     counts.nonFinite += any([](float c) { return !std::isfinite(c); });
+}
+
+std::uint16_t quantisedDeep(double encoded)
+{
+    if (!(encoded > 0.0))
+        return 0;
+    return static_cast<std::uint16_t>(std::floor(65535.0 * std::min(encoded, 1.0) + 0.5));
+}
+
+void developRow(const Image& image, int y, DevelopText& text, Developed& picture, SensorCounts& counts)
+{
+    std::size_t at = 3 * Image::pixelCount(image.width, y);
+    for (int x = 0; x < image.width; ++x) {
+        const Vec3d radiance = radianceAt(image, x, y);
+        const Vec3d arrived = text.arriving(radiance, x, y, image.width, image.height);
+        const Vec3d linear = text.linearOf(arrived);
+        const bool clipped = text.isClipped(arrived, linear);
+        count(counts, &image.rgb[at], clipped);
+        const Vec3d code = text.finished(radiance, linear, clipped, x, y);
+        for (const double channel : {code.x, code.y, code.z}) {
+            picture.rgb[at] = quantised(channel);
+            if (!picture.deep.empty())
+                picture.deep[at] = quantisedDeep(channel);
+            ++at;
+        }
+    }
 }
 
 } // namespace
 
+double gainOf(const Sensor& sensor)
+{
+    const double gain = sensor.exposes ? std::exp2(sensor.exposure) : 1.0;
+    const CameraExposure& camera = sensor.camera;
+    if (!camera.on)
+        return gain;
+    return gain * camera.white * camera.shutter * camera.iso / (120.0 * camera.aperture * camera.aperture);
+}
+
+double electronsAtWhite(const Sensor& sensor)
+{
+    return sensor.camera.on ? sensor.noise.fullWell * 100.0 / sensor.camera.iso : sensor.noise.fullWell;
+}
+
+bool isDeep(const Sensor& sensor)
+{
+    return !sensor.quantisation.on || sensor.quantisation.bits > 8;
+}
+
 Developed develop(const Image& image, const Sensor& sensor)
 {
-    texts::Develop<double> text;
-    text.exposure = sensor.exposure;
-    const double gain = std::exp2(sensor.exposure);
-    Developed picture{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size()), {}};
-    constexpr std::size_t pixelsPerRange = 16384;
-    std::vector<SensorCounts> counts((image.pixels() + pixelsPerRange - 1) / pixelsPerRange);
-    inRanges(threadsFor(0), image.pixels(), pixelsPerRange,
-             [&](std::size_t range, std::size_t first, std::size_t last) {
-                 float radiance = 0.0F; // grey pixels and plain backgrounds repeat it: the curve's power is what costs
-                 std::uint8_t code = quantised(text.developChannel(0.0));
-                 for (std::size_t i = 3 * first; i < 3 * last; ++i) {
-                     if (image.rgb[i] != radiance) {
-                         radiance = image.rgb[i];
-                         code = quantised(text.developChannel(double{radiance}));
-                     }
-                     picture.rgb[i] = code;
-                 }
-                 for (std::size_t i = first; i < last; ++i)
-                     count(counts[range], &image.rgb[3 * i], gain);
-             });
+    const DevelopText shared = developText(sensor);
+    const bool deep = isDeep(sensor);
+    Developed picture{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size()), {}, {}};
+    picture.deep.resize(deep ? image.rgb.size() : 0);
+    constexpr std::size_t rowsPerRange = 16;
+    const auto rows = static_cast<std::size_t>(image.height);
+    std::vector<SensorCounts> counts((rows + rowsPerRange - 1) / rowsPerRange);
+    inRanges(threadsFor(0), rows, rowsPerRange, [&](std::size_t range, std::size_t first, std::size_t last) {
+        DevelopText text = shared;
+        for (std::size_t y = first; y < last; ++y)
+            developRow(image, static_cast<int>(y), text, picture, counts[range]);
+    });
     for (const SensorCounts& range : counts) {
         picture.counts.negative += range.negative;
         picture.counts.clipped += range.clipped;
@@ -49,9 +92,14 @@ Developed develop(const Image& image, const Sensor& sensor)
     return picture;
 }
 
+Vec3d developedAt(const Image& image, int x, int y, const Sensor& sensor)
+{
+    return developText(sensor).develop(radianceAt(image, x, y), x, y, image.width, image.height);
+}
+
 double encodeSrgb(double linear)
 {
-    return texts::Develop<double>().encodeSrgb(linear);
+    return DevelopText{}.encodeSrgb(linear);
 }
 
 std::uint8_t quantised(double encoded)

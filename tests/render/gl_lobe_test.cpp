@@ -65,7 +65,7 @@ TEST_P(GlLobe, PicturesShowTheFormThatIsAskedFor)
     scene.surface.values["n"] = {32.0};
     constexpr RenderSettings settings{64, 64, 1};
     for (const LobeFormFacts& facts : lobeForms()) {
-        ASSERT_TRUE(renderer().render(scene, settings, facts.form));
+        ASSERT_TRUE(renderer().render(scene, settings, {Place::Sample, false, facts.form}));
         const Image picture = renderer().readLinear();
         const Image truth = shadeSamples(renderer().readSamples(), scene, {Precision::Double, facts.form});
         float worst = 0.0F;
@@ -81,7 +81,7 @@ TEST_P(GlLobe, ChangesNothingWithoutALobe)
 {
     const Scene scene = twoLightScene("lambert");
     for (const LobeFormFacts& facts : lobeForms())
-        ASSERT_TRUE(renderer().render(scene, {32, 32, 1}, facts.form));
+        ASSERT_TRUE(renderer().render(scene, {32, 32, 1}, {Place::Sample, false, facts.form}));
     EXPECT_EQ(renderer().work().shadings, 1U);
 }
 

@@ -38,14 +38,15 @@ Image shadeSamples(const ViewSamples& samples, const Scene& scene, const Arithme
     return image;
 }
 
-Image renderOnCpu(const Scene& scene, const RenderSettings& settings, const Arithmetic& arithmetic, Progress* progress)
+Image renderOnCpu(const Scene& scene, const RenderSettings& settings, const Arithmetic& arithmetic, Progress* progress,
+                  double share)
 {
     const RayScene rays(scene.mesh);
     Image image(settings.width, settings.height);
     const int step = rowsPerBand(settings);
     for (int row = 0; row < settings.height && !(progress != nullptr && progress->cancel); row += step) {
         const RowBand band{row, std::min(step, settings.height - row)};
-        const Stretch half{progress, 0.5 * band.rows / settings.height};
+        const Stretch half{progress, 0.5 * share * band.rows / settings.height};
         shadeBand(sampleBand(rays, scene.camera, settings, band, half), band, scene, arithmetic, half, image);
     }
     return image;

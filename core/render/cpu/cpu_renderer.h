@@ -27,8 +27,8 @@ class RayScene;
 [[nodiscard]] Image shadeSamples(const ViewSamples& samples, const Scene& scene, const Arithmetic& arithmetic,
                                  Progress* progress = nullptr);
 
-/// All three.
+/// All three. They are `share` of what the progress counts.
 [[nodiscard]] Image renderOnCpu(const Scene& scene, const RenderSettings& settings, const Arithmetic& arithmetic,
-                                Progress* progress = nullptr);
+                                Progress* progress = nullptr, double share = 1.0);
 
 } // namespace reflectance

@@ -34,6 +34,22 @@ void attachTriangles(RTCDevice device, RTCScene scene, const Mesh& mesh)
     rtcReleaseGeometry(geometry);
 }
 
+void setRay(RTCRay8& rays, std::size_t i, const Vec3d& origin, const Vec3d& direction, double reach)
+{
+    rays.org_x[i] = static_cast<float>(origin.x);
+    rays.org_y[i] = static_cast<float>(origin.y);
+    rays.org_z[i] = static_cast<float>(origin.z);
+    rays.dir_x[i] = static_cast<float>(direction.x);
+    rays.dir_y[i] = static_cast<float>(direction.y);
+    rays.dir_z[i] = static_cast<float>(direction.z);
+    rays.tnear[i] = 0.0F;
+    rays.tfar[i] = static_cast<float>(reach);
+    rays.time[i] = 0.0F;
+    rays.mask[i] = 0xFFFFFFFF;
+    rays.id[i] = 0;
+    rays.flags[i] = 0;
+}
+
 /// Starts the rays where they enter the mesh's sphere, found in double: floats are then as fine as the mesh, however far
 /// away the eye is. A ray that misses the sphere is not traced. True if any is. One number of all rays at a time: so the
 /// compiler makes vectors of it.
@@ -53,20 +69,28 @@ bool placeRays(RTCRay8& rays, int* valid, const RayPacket& packet, double radius
         start[i] = std::max(0.0, nearest - reach);
     }
     for (std::size_t i = 0; i < RayPacket::size; ++i) {
-        rays.org_x[i] = static_cast<float>(packet.eye.x + start[i] * packet.x[i]);
-        rays.org_y[i] = static_cast<float>(packet.eye.y + start[i] * packet.y[i]);
-        rays.org_z[i] = static_cast<float>(packet.eye.z + start[i] * packet.z[i]);
-        rays.dir_x[i] = static_cast<float>(packet.x[i]);
-        rays.dir_y[i] = static_cast<float>(packet.y[i]);
-        rays.dir_z[i] = static_cast<float>(packet.z[i]);
-        rays.tnear[i] = 0.0F;
-        rays.tfar[i] = std::numeric_limits<float>::infinity();
-        rays.time[i] = 0.0F;
-        rays.mask[i] = 0xFFFFFFFF;
-        rays.id[i] = 0;
-        rays.flags[i] = 0;
+        const Vec3d direction{packet.x[i], packet.y[i], packet.z[i]};
+        setRay(rays, i, packet.eye + start[i] * direction, direction, std::numeric_limits<double>::infinity());
     }
     return any != 0;
+}
+
+std::array<std::uint32_t, 8> met(RTCScene scene, RTCRayHit8& rays, const int* valid, RTCIntersectContextFlags coherence)
+{
+    for (std::size_t i = 0; i < 8; ++i) {
+        rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        rays.hit.primID[i] = RayScene::nothing;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = coherence;
+    rtcIntersect8(valid, scene, &context, &rays);
+
+    std::array<std::uint32_t, 8> triangles{};
+    for (std::size_t i = 0; i < 8; ++i)
+        triangles[i] =
+            valid[i] != 0 && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? rays.hit.primID[i] : RayScene::nothing;
+    return triangles;
 }
 
 } // namespace
@@ -98,22 +122,23 @@ std::array<std::uint32_t, 8> RayScene::firstTriangles(const RayPacket& packet) c
 {
     alignas(32) RTCRayHit8 rays;
     alignas(32) int valid[RayPacket::size];
-    std::array<std::uint32_t, RayPacket::size> triangles{};
-    triangles.fill(nothing);
-    if (!placeRays(rays.ray, valid, packet, radius_))
-        return triangles;
-    for (std::size_t i = 0; i < RayPacket::size; ++i) {
-        rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        rays.hit.primID[i] = nothing;
+    if (!placeRays(rays.ray, valid, packet, radius_)) {
+        std::array<std::uint32_t, RayPacket::size> none;
+        none.fill(nothing);
+        return none;
     }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect8(valid, scene_.get(), &context, &rays);
-    for (std::size_t i = 0; i < RayPacket::size; ++i)
-        if (valid[i] != 0 && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
-            triangles[i] = rays.hit.primID[i];
-    return triangles;
+    return met(scene_.get(), rays, valid, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+}
+
+std::array<std::uint32_t, 8> RayScene::firstTriangles(const SegmentPacket& packet) const
+{
+    alignas(32) RTCRayHit8 rays;
+    alignas(32) int valid[8];
+    for (std::size_t i = 0; i < 8; ++i) {
+        valid[i] = packet.active[i] ? -1 : 0;
+        setRay(rays.ray, i, packet.origins[i], packet.directions[i], packet.reach[i]);
+    }
+    return met(scene_.get(), rays, valid, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
 }
 
 } // namespace reflectance

@@ -65,7 +65,7 @@ struct GlRenderer::State {
     [[nodiscard]] Result<void> shade(const ShadingInputs& inputs);
     void develop(const Sensor& settings);
     /// Runs the passes whose inputs changed.
-    [[nodiscard]] Result<void> update(const Scene& scene, const RenderSettings& settings, LobeForm lobe);
+    [[nodiscard]] Result<void> update(const Scene& scene, const RenderSettings& settings, const GlShading& how);
 
     /// Leaves GL as a window expects it. What `done` says goes before what the driver says about it.
     template <class T> [[nodiscard]] Result<T> closed(Result<T> done)
@@ -163,7 +163,7 @@ void GlRenderer::State::develop(const Sensor& settings)
     developed = settings;
 }
 
-Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings& settings, LobeForm lobe)
+Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings& settings, const GlShading& how)
 {
     if (allocated != settings) {
         if (auto fit = fits(settings); !fit)
@@ -175,7 +175,7 @@ Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings&
         if (auto done = see(view); !done)
             return done;
     }
-    const ShadingInputs inputs = shadingInputsOf(scene, lobe);
+    const ShadingInputs inputs = shadingInputsOf(scene, how);
     if (shaded != inputs) {
         if (auto done = shade(inputs); !done)
             return done;
@@ -208,16 +208,22 @@ Result<GlRenderer> GlRenderer::create(GetProcAddress load)
     return GlRenderer(std::move(state));
 }
 
-Result<void> GlRenderer::render(const Scene& scene, const RenderSettings& settings, LobeForm lobe)
+Result<void> GlRenderer::render(const Scene& scene, const RenderSettings& settings, const GlShading& how)
 {
     CHECK_EQ(scene.mesh != nullptr, true);
+    CHECK_LE(static_cast<int>(how.place), static_cast<int>(Place::Pixel));
     prepareState(state_->functions->gl());
-    return state_->closed(state_->update(scene, settings, lobe));
+    return state_->closed(state_->update(scene, settings, how));
 }
 
 void GlRenderer::invalidateShading()
 {
     state_->shaded.reset();
+}
+
+void GlRenderer::invalidateSamples()
+{
+    state_->seen.reset();
 }
 
 unsigned GlRenderer::developedTexture() const

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/image/image.h"
-#include "core/reflectance/lobe_form.h"
 #include "core/reflectance/observation.h"
+#include "core/render/gl/gl_shading.h"
 #include "core/render/headless/headless_context.h"
 #include "core/render/settings.h"
 #include "core/render/view_samples.h"
@@ -33,13 +33,13 @@ public:
     ~GlRenderer();
 
     /// Brings the picture up to date; only the passes whose inputs changed run.
-    [[nodiscard]] Result<void> render(const Scene& scene, const RenderSettings& settings,
-                                      LobeForm lobe = LobeForm::Conditioned);
+    [[nodiscard]] Result<void> render(const Scene& scene, const RenderSettings& settings, const GlShading& how = {});
 
     [[nodiscard]] unsigned developedTexture() const; ///< RGBA8, sRGB-encoded, row 0 at the bottom: for the window
     [[nodiscard]] Image readLinear();                ///< the linear picture before the sensor
     [[nodiscard]] ViewSamples readSamples();         ///< the N and P that GL used, for GL = CPU
     void invalidateShading(); ///< the next render() shades again even if nothing changed (for timing)
+    void invalidateSamples(); ///< the next render() looks again as well
     void finish();            ///< waits until all drawing is done (for timing)
 
     /// The model at given directions, in GLSL; same rows as reflectance::evaluate.

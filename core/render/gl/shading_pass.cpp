@@ -11,7 +11,7 @@ namespace {
 
 enum Unit { Normals, Positions, Lights, Map, MeasuredTexels };
 
-std::vector<std::string> definesFor(const Requirements& r)
+std::vector<std::string> definesFor(const Requirements& r, Place place)
 {
     std::vector<std::string> names;
     const auto define = [&names](bool required, const char* name) {
@@ -24,10 +24,11 @@ std::vector<std::string> definesFor(const Requirements& r)
     define(r.environmentBackground, "ENVIRONMENT_BACKGROUND");
     define(r.environmentMap, "ENVIRONMENT_MAP");
     define(r.holes, "TABLE_HOLES");
+    define(place == Place::Pixel, "ONCE_PER_PIXEL");
     return names;
 }
 
-ShaderSource sourceFor(const Requirements& r, const ModelText& model)
+ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place place)
 {
     std::vector<ShaderPiece> pieces = modelPieces(model, r.table, r.lobe);
     if (r.holes)
@@ -41,7 +42,7 @@ ShaderSource sourceFor(const Requirements& r, const ModelText& model)
     pieces.push_back(shaderFile("gl/rays.glsl"));
     pieces.push_back(shaderFile("gl/arrival.glsl"));
     pieces.push_back(shaderFile("gl/shading.frag"));
-    return assembled(definesFor(r), std::move(pieces));
+    return assembled(definesFor(r, place), std::move(pieces));
 }
 
 } // namespace
@@ -56,14 +57,25 @@ void ShadingPass::resize(const RenderSettings& settings)
     linear_.resize(settings.width, settings.height);
 }
 
-Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements)
+void ShadingPass::keepIn(bool halfBuffer)
 {
-    return programs_.find(requirements.key(), [&]() -> Result<GlProgram> {
+    if (halfBuffer == halfBuffer_)
+        return;
+    const int width = linear_.width();
+    const int height = linear_.height();
+    linear_ = RenderTarget(*gl_, {halfBuffer ? GLenum{GL_RGBA16F} : GLenum{GL_RGBA32F}}, WithDepth::No);
+    linear_.resize(width, height);
+    halfBuffer_ = halfBuffer;
+}
+
+Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements, Place place)
+{
+    return programs_.find(requirements.key() + (place == Place::Pixel ? "+once" : ""), [&]() -> Result<GlProgram> {
         const auto model = findModel(requirements.model);
         if (!model)
             return model.error();
         return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
-                               sourceFor(requirements, (*model)->text));
+                               sourceFor(requirements, (*model)->text, place));
     });
 }
 
@@ -99,7 +111,7 @@ Result<void> ShadingPass::setEnvironment(const GlProgram& program, const Shading
 Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs& inputs, const Camera& camera,
                                const RenderSettings& settings)
 {
-    const auto found = programFor(inputs.requirements);
+    const auto found = programFor(inputs.requirements, inputs.how.place);
     if (!found)
         return found.error();
     const GlProgram& program = **found;
@@ -122,6 +134,7 @@ Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs&
     uploadParameters(program, model, inputs.values);
     if (inputs.requirements.lobe == LobeForm::Table)
         uploadLobeTable(program, model, inputs.values);
+    keepIn(inputs.how.halfBuffer);
     linear_.bind();
     gl_->BindVertexArray(noVertices_.id());
     gl_->DrawArrays(GL_TRIANGLES, 0, 3);
