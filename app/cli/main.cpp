@@ -19,12 +19,13 @@ constexpr const char* description =
     "Without a verb the explorer opens, on the mesh or scene named, else on a clay mug.";
 
 /// Without a display the default view goes to a picture, and the user learns how to get others.
-int renderInstead(const std::string& input, const std::optional<std::string>& environment)
+int renderInstead(const explorer::ExplorerOptions& wanted)
 {
     constexpr const char* out = "reflectance.png";
     SceneOptions options;
-    options.input = input;
-    options.environment = environment.value_or("");
+    options.input = wanted.input;
+    options.modelFile = wanted.modelFile;
+    options.environment = wanted.environment.value_or("");
     const auto scene = sceneFrom(options);
     if (!scene)
         return refused(scene.error());
@@ -39,25 +40,23 @@ int renderInstead(const std::string& input, const std::optional<std::string>& en
     return Done;
 }
 
-int explore(const std::string& input, const std::optional<std::string>& environment)
+int explore(const explorer::ExplorerOptions& options)
 {
-    explorer::ExplorerOptions options;
-    options.input = input;
-    options.environment = environment;
     const auto ended = explorer::runExplorer(options);
     if (!ended)
         return refused(ended.error());
-    return *ended == explorer::Outcome::NoDisplay ? renderInstead(input, environment) : Done;
+    return *ended == explorer::Outcome::NoDisplay ? renderInstead(options) : Done;
 }
 
 int run(int argc, char** argv)
 {
     CLI::App program(description, "reflectance");
     program.set_version_flag("--version", std::string("reflectance ") + REFLECTANCE_VERSION);
-    std::string input;
-    program.add_option("input", input, "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json)");
-    std::optional<std::string> environment;
-    program.add_option("--environment", environment, "latitude-longitude picture (.exr, .hdr) around the object");
+    explorer::ExplorerOptions options;
+    program.add_option("input", options.input, "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json)");
+    program.add_option("--model-file", options.modelFile, "a model of your own (.glsl) on the object");
+    program.add_option("--environment", options.environment,
+                       "latitude-longitude picture (.exr, .hdr) around the object");
     int exitCode = Done;
     addRender(program, exitCode);
     addEval(program, exitCode);
@@ -78,7 +77,7 @@ int run(int argc, char** argv)
         return refused(
             Error{std::string(error.what()) + "; 'reflectance --help' and 'reflectance VERB --help' tell more"});
     }
-    return program.get_subcommands().empty() ? explore(input, environment) : exitCode;
+    return program.get_subcommands().empty() ? explore(options) : exitCode;
 }
 
 } // namespace

@@ -19,6 +19,7 @@ struct SceneOptions {
     int samples = 4;
     std::string surface; ///< of the library; empty: none
     std::string model;
+    std::string modelFile; ///< of an own model; empty: none
     std::vector<std::string> assignments;
     bool showHoles = false;
     std::vector<std::string> lights;

@@ -1,14 +1,14 @@
 #include "app/explorer/explorer.h"
 
-#include "app/explorer/fits.h"
 #include "app/explorer/differences.h"
+#include "app/explorer/fits.h"
 #include "app/explorer/frame_pace.h"
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
 #include "app/explorer/requests.h"
-#include "app/explorer/thumbnails.h"
 #include "app/explorer/session.h"
+#include "app/explorer/thumbnails.h"
 #include "app/explorer/trust_view.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/user_folders.h"
@@ -205,7 +205,10 @@ Reasons reasonsOf(const Session& session)
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),
-        .untilPrices = std::min(secondsUntilPrices(session), secondsUntilDifference(session)),
+        .untilPrices =
+            std::min({secondsUntilPrices(session), secondsUntilDifference(session),
+                      session.ownModels.watches() ? std::chrono::duration<double>(OwnModelWatch::pause).count()
+                                                  : std::numeric_limits<double>::infinity()}),
         .untilAutosave = session.autosave.secondsUntilWrite(Clock::now()),
     };
 }
@@ -232,6 +235,8 @@ void openAtStart(Session& session, const ExplorerOptions& options)
 {
     if (!options.input.empty())
         session.toOpen.push_back(options.input);
+    if (!options.modelFile.empty())
+        session.toOpen.push_back(options.modelFile);
     if (options.environment)
         session.toOpen.push_back(*options.environment);
     pollFiles(session);

@@ -9,7 +9,8 @@
 namespace reflectance::explorer {
 
 struct ExplorerOptions {
-    std::string input; ///< mesh, scene (.json) or stock mesh ("mug"); empty opens the default scene
+    std::string input;     ///< mesh, scene (.json) or stock mesh ("mug"); empty opens the default scene
+    std::string modelFile; ///< own model (.glsl); empty: none
     std::optional<std::string> environment; ///< latitude-longitude picture (.exr, .hdr) around the object
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/geometry/load.h"
+#include "core/reflectance/own_model.h"
 #include "core/scene/scene_file.h"
 
 #include <atomic>
@@ -59,6 +60,8 @@ struct FileLoader::Job {
             return readJson();
         if (ending == ".exr" || ending == ".hdr")
             return asContent(loadEnvironment(path));
+        if (ending == ".glsl")
+            return asContent(readOwnModel(path));
         if (ending == ".csv" || ending == ".binary" || ending == ".bsdf" || ending == ".brdf" || ending == ".dat")
             return asContent(loadTable(path));
         return readMesh();

@@ -14,9 +14,10 @@
 
 namespace reflectance::explorer {
 
-/// What a file held, told by its ending: .json a scene (or else a measurement), .exr and .hdr an environment, those of
-/// measurements a table, all else a mesh.
-using Content = std::variant<std::shared_ptr<const Mesh>, Scene, Environment, std::shared_ptr<const MeasuredTable>>;
+/// What a file held, told by its ending: .json a scene (or else a measurement), .exr and .hdr an environment, .glsl an own
+/// model, those of measurements a table, all else a mesh.
+using Content = std::variant<std::shared_ptr<const Mesh>, Scene, Environment, std::shared_ptr<const MeasuredTable>,
+                             std::shared_ptr<const Model>>;
 
 struct LoadedFile {
     std::string path;

@@ -5,6 +5,7 @@
 #include "app/explorer/background.h"
 #include "app/explorer/file_loader.h"
 #include "app/explorer/measured_prices.h"
+#include "app/explorer/own_models.h"
 #include "app/explorer/second_view.h"
 #include "app/explorer/state.h"
 #include "app/explorer/trust.h"
@@ -35,6 +36,7 @@ struct Session {
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
     Autosave autosave{stateFolder()};
+    OwnModelWatch ownModels;
 
     Background<TableFacts> tableFacts{Window::wake};
     std::shared_ptr<const MeasuredTable> tableAsked; ///< that the facts were last asked of

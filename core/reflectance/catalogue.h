@@ -5,6 +5,7 @@
 #include "core/reflectance/model_text.h"
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,9 +14,10 @@ namespace reflectance {
 
 struct Model {
     ModelText text;
-    Kernel<double> exact;  ///< double: the truth
-    Kernel<float> single;  ///< scalar float
-    Kernel<float> lanes;   ///< float in the widest lanes of this processor
+    Kernel<double> exact;                    ///< double: the truth
+    Kernel<float> single;                    ///< scalar float
+    Kernel<float> lanes;                     ///< float in the widest lanes of this processor
+    std::shared_ptr<const void> walked = {}; ///< of an own model: keeps alive what its kernels walk; null: compiled
 
     [[nodiscard]] const std::string& id() const { return text.id; }
 };

@@ -25,7 +25,7 @@ bool anyLight(const Scene& scene, LightKind kind)
 
 std::string Requirements::key() const
 {
-    std::string text = model;
+    std::string text = own ? own->text.file + own->text.code : model;
     const auto append = [&text](bool required, const char* name) {
         if (required)
             text.append("+").append(name);
@@ -40,11 +40,18 @@ std::string Requirements::key() const
     return text;
 }
 
+const Model& Requirements::modelUsed() const
+{
+    return own ? *own : **findModel(model);
+}
+
 Requirements requirementsOf(const Scene& scene)
 {
     const Model& model = modelOf(scene);
     Requirements r;
     r.model = model.id();
+    if (scene.surface.own.get() == &model)
+        r.own = scene.surface.own;
     r.directionalLights = anyLight(scene, LightKind::Directional);
     r.pointLights = anyLight(scene, LightKind::Point);
     r.environment = model.text.usesEnvironment && !isBlack(scene.environment);

@@ -11,6 +11,7 @@ namespace reflectance {
 /// Two scenes with equal requirements run the same shader.
 struct Requirements {
     std::string model;
+    std::shared_ptr<const Model> own; ///< the model, where it is none of the catalogue
     bool directionalLights = false;
     bool pointLights = false;
     bool environment = false;    ///< the model looks at it and it is not black
@@ -21,8 +22,9 @@ struct Requirements {
 
     friend bool operator==(const Requirements&, const Requirements&) = default;
 
-    /// Unique text for caches: "hybrid+directional".
+    /// Unique text for caches: "hybrid+directional"; an own model stands there with its whole text.
     [[nodiscard]] std::string key() const;
+    [[nodiscard]] const Model& modelUsed() const;
 };
 
 [[nodiscard]] Requirements requirementsOf(const Scene& scene);

@@ -111,6 +111,8 @@ Json written(const Surface& surface, const std::string& folder)
         json["W"] = surface.W;
     if (!surface.tableFile.empty())
         json["file"] = relativeTo(folder, surface.tableFile);
+    if (surface.own && !surface.modelFile.empty())
+        json["model_file"] = relativeTo(folder, surface.modelFile);
     return json;
 }
 
@@ -181,14 +183,22 @@ void readSurface(ObjectReader object, Surface& surface, const std::string& folde
             return object.fail(found.error().message);
         applySurface(**found, surface);
     }
+    std::string modelFile;
+    object.read("model_file", modelFile);
+    if (!modelFile.empty())
+        if (const auto read = readModelOf(surface, resolvedIn(folder, modelFile)); !read)
+            return object.fail(read.error().sentence());
     object.read("model", surface.model);
-    const auto model = findModel(surface.model);
+    const auto model = findModelOf(surface);
     if (!model)
         return object.fail(model.error().message);
+    std::vector<const Model*> known{*model};
+    for (const Model& other : catalogue())
+        known.push_back(&other);
     object.eachNumberList("parameters", [&](const std::string& name, const std::vector<double>& numbers) {
         // A parameter that only other models know is kept for them.
-        for (const Model& other : catalogue()) {
-            const Parameter* parameter = other.text.find(name);
+        for (const Model* other : known) {
+            const Parameter* parameter = other->text.find(name);
             if (!parameter)
                 continue;
             auto checked = checkedValue(*parameter, numbers);
@@ -199,8 +209,8 @@ void readSurface(ObjectReader object, Surface& surface, const std::string& folde
         }
         object.fail("no model has a parameter '" + name + "'");
     });
-    for (const Model& other : catalogue())
-        if (const auto agree = checkLists(other.text, surface.values); !agree)
+    for (const Model* other : known)
+        if (const auto agree = checkLists(other->text, surface.values); !agree)
             object.fail(agree.error().message);
     readConvention(object, surface);
     std::string file;
@@ -308,7 +318,8 @@ Result<Scene> loadScene(const std::string& path)
 
 Result<void> saveScene(const Scene& scene, const std::string& path)
 {
-    for (const std::string& file : {scene.meshFile, scene.environment.file, scene.surface.tableFile})
+    for (const std::string& file :
+         {scene.meshFile, scene.environment.file, scene.surface.tableFile, scene.surface.modelFile})
         if (!isUtf8(file))
             return Error{"a scene file cannot name this file, since its name is not UTF-8; rename it", file};
     return writeAtomically(path, sceneText(scene, fs::path(path).parent_path().string()));

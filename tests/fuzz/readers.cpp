@@ -1,6 +1,7 @@
 #include "tests/fuzz/readers.h"
 
 #include "core/image/picture_file.h"
+#include "core/reflectance/own_model.h"
 #include "core/scene/scene_file.h"
 #include "tests/fuzz/promises.h"
 #include "tests/fuzz/seeds.h"
@@ -44,14 +45,8 @@ Outcome readRows(std::string_view bytes)
 
 Outcome readModel(std::string_view bytes)
 {
-    static const std::vector<ModelText> earlier = [] {
-        std::vector<ModelText> texts;
-        for (const Model& model : catalogue())
-            texts.push_back(model.text);
-        return texts;
-    }();
-    const auto text = parseModelText("a", bytes, earlier);
-    return text ? Outcome{true, brokenPromise(*text)} : refused(text.error());
+    const auto model = ownModel("a.glsl", bytes);
+    return model ? Outcome{true, brokenPromise(**model)} : refused(model.error());
 }
 
 constexpr char obj[] = "a.obj", ply[] = "a.ply", off[] = "a.off", stl[] = "a.stl";

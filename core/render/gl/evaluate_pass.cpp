@@ -38,8 +38,9 @@ struct EvaluatePass::Grid {
 };
 
 EvaluatePass::EvaluatePass(const Gl& gl)
-    : gl_(&gl), noVertices_(gl), result_(gl, {GL_RGBA32F}, WithDepth::No),
-      inputs_{GlTexture(gl), GlTexture(gl), GlTexture(gl), GlTexture(gl)}, table_(gl)
+    : gl_(&gl), noVertices_(gl),
+      result_(gl, {GL_RGBA32F}, WithDepth::No), inputs_{GlTexture(gl), GlTexture(gl), GlTexture(gl), GlTexture(gl)},
+      table_(gl)
 {
     result_.resize(gridWidth, gridHeight);
     for (const GlTexture& input : inputs_) {
@@ -81,13 +82,14 @@ Result<std::vector<Vec3d>> EvaluatePass::run(const Model& model, std::span<const
                                              const std::shared_ptr<const MeasuredTable>& table)
 {
     const bool hasTable = model.text.usesTable && table;
-    const auto program = programs_.find(model.id() + (hasTable ? "+table" : ""), [&] {
-        std::vector<ShaderPiece> pieces = modelPieces(model.text, hasTable);
-        pieces.push_back(shaderFile("gl/no_surroundings.glsl"));
-        pieces.push_back(shaderFile("gl/evaluate.frag"));
-        return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
-                               assembled({}, std::move(pieces)));
-    });
+    const auto program = programs_.find(
+        model.id() + (model.walked ? model.text.file + model.text.code : "") + (hasTable ? "+table" : ""), [&] {
+            std::vector<ShaderPiece> pieces = modelPieces(model.text, hasTable);
+            pieces.push_back(shaderFile("gl/no_surroundings.glsl"));
+            pieces.push_back(shaderFile("gl/evaluate.frag"));
+            return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+                                   assembled({}, std::move(pieces)));
+        });
     if (!program)
         return program.error();
     (*program)->use();

@@ -63,7 +63,7 @@ ShaderPiece parameterDeclarations(const ModelText& model)
 
 ShaderPiece modelCode(const ModelText& model)
 {
-    return {"shaders/reflectance/" + model.id + ".glsl", model.code};
+    return {model.file, model.code};
 }
 
 std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable)

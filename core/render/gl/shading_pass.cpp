@@ -47,8 +47,7 @@ ShaderSource sourceFor(const Requirements& r, const ModelText& model)
 } // namespace
 
 ShadingPass::ShadingPass(const Gl& gl)
-    : gl_(&gl), linear_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl), lights_(gl), environmentMap_(gl),
-      table_(gl)
+    : gl_(&gl), linear_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl), lights_(gl), environmentMap_(gl), table_(gl)
 {
 }
 
@@ -60,11 +59,8 @@ void ShadingPass::resize(const RenderSettings& settings)
 Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements)
 {
     return programs_.find(requirements.key(), [&]() -> Result<GlProgram> {
-        const auto model = findModel(requirements.model);
-        if (!model)
-            return model.error();
         return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
-                               sourceFor(requirements, (*model)->text));
+                               sourceFor(requirements, requirements.modelUsed().text));
     });
 }
 
@@ -119,7 +115,7 @@ Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs&
     if (inputs.table)
         if (auto shown = table_.show(program, inputs.table, Unit::MeasuredTexels); !shown)
             return shown;
-    uploadParameters(program, (*findModel(inputs.requirements.model))->text, inputs.values);
+    uploadParameters(program, inputs.requirements.modelUsed().text, inputs.values);
     linear_.bind();
     gl_->BindVertexArray(noVertices_.id());
     gl_->DrawArrays(GL_TRIANGLES, 0, 3);
