@@ -1,9 +1,11 @@
-# shared_texts(ROOM NAME=PATH...): the texts under shaders/ as class templates reflectance::texts::NAME<T>,
+# shared_texts(ROOM NAME=PATH[+PATH...]...): the texts under shaders/ as class templates reflectance::texts::NAME<T>,
 # for the room's own files in "ROOM_texts.gen.h".
 function(shared_texts room)
   set(shaders "${PROJECT_SOURCE_DIR}/shaders")
   set(header "${CMAKE_CURRENT_BINARY_DIR}/${room}_texts.gen.h")
-  list(TRANSFORM ARGN REPLACE "^[^=]+=(.+)$" "${shaders}/\\1" OUTPUT_VARIABLE texts)
+  list(TRANSFORM ARGN REPLACE "^[^=]+=" "" OUTPUT_VARIABLE texts)
+  string(REPLACE "+" ";" texts "${texts}")
+  list(TRANSFORM texts PREPEND "${shaders}/")
   add_custom_command(OUTPUT "${header}"
     COMMAND make_texts "${shaders}" "${header}" ${ARGN}
     DEPENDS make_texts ${texts}

@@ -2,8 +2,9 @@
 // core/math/directions.h and core/reflectance/frame.h. The names in this file are reserved; no model may define or
 // shadow them.
 //
-// GLSL's pow is never used: on llvmpipe it is 1 % wrong at n = 1e5, 10 % at 1e6 and 94 % at 1e7, and exp and log are
-// only good to 15 units in the last place. What follows is as good as its rounded inputs allow.
+// `lobe` itself stands in lobe/, a file per form of it. GLSL's pow is never used but by the form that is named after it:
+// on llvmpipe it is 1 % wrong at n = 1e5, 10 % at 1e6 and 94 % at 1e7, and exp and log are only good to 15 units in the
+// last place. What follows is as good as its rounded inputs allow.
 
 float lightDisc = 0.0; // (2 sin(a/2))^2 of the light's angular radius a; the frame sets it for each light
 
@@ -23,27 +24,6 @@ float insideLight(vec3 R, vec3 V)
     return gate(lightDisc - dot(chord, chord), 1.0);
 }
 
-// log((1+s)/(1-s)) = 2 (s + s^3/3 + s^5/5 + ...) for |s| <= 1/3; the first term left out is below 2^-28 of the result.
-float logOfQuotient(float s)
-{
-    float t = s * s;
-    float tail = t * (1.0 / 3.0 + t * (1.0 / 5.0 + t * (1.0 / 7.0 + t * (1.0 / 9.0 +
-                 t * (1.0 / 11.0 + t * (1.0 / 13.0 + t * (1.0 / 15.0)))))));
-    return 2.0 * (s + s * tail);
-}
-
-// log(1-x) for 0 <= x <= 1/2, without ever forming 1-x: GLSL has no log1p.
-float logOneMinus(float x) { return -logOfQuotient(x / (2.0 - x)); }
-
-// log(c) for normal c > 0: c = 2^e m with m in [2/3, 4/3).
-float logOf(float c)
-{
-    int bits = floatBitsToInt(c);
-    int e = ((bits - 0x3F2AAAAB) >> 23);
-    float m = intBitsToFloat(bits - (e << 23));
-    return logOfQuotient((m - 1.0) / (m + 1.0)) + float(e) * 0.69314718;
-}
-
 // exp(y) for y <= 0; 0 where the result would leave the normal numbers: denormals are slow, and GPUs differ on them.
 // y = k log 2 + r with |r| <= log(2)/2; log 2 is split so that k times its head is exact. The Taylor sum of degree 7
 // ends below 2^-27.
@@ -56,18 +36,6 @@ float expOrZero(float y)
     float sum = 1.0 + r * (1.0 + r * (1.0 / 2.0 + r * (1.0 / 6.0 + r * (1.0 / 24.0 + r * (1.0 / 120.0 +
                 r * (1.0 / 720.0 + r * (1.0 / 5040.0)))))));
     return sum * intBitsToFloat((int(k) + 127) << 23);
-}
-
-// (R.V)^n in its conditioned form: exp(n log(1-x)) with x = |R-V|^2 / 2 = 1 - R.V where R.V > 1/2, the plain dot below.
-// 0 wherever R.V <= 0, at every n, n = 0 included.
-float lobe(vec3 R, vec3 V, float n)
-{
-    float cosine = dot(R, V);
-    if (!(cosine > 0.0))
-        return 0.0;
-    vec3 chord = R - V;
-    float logarithm = cosine > 0.5 ? logOneMinus(0.5 * dot(chord, chord)) : logOf(cosine);
-    return expOrZero(n * logarithm);
 }
 
 // asin(x) for 0 <= x <= sqrt(1/2): x (1 + t Q(t)), t = x^2, with Q the polynomial that meets (asin(x) / x - 1) / t at the

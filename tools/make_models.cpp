@@ -3,7 +3,7 @@
 //   make_models SHADER_FOLDER MODEL_LIST OUT_HEADER
 //
 // Each text becomes a class template whose data members are the uniforms and whose member functions are the text's
-// functions (see translate.h).
+// functions (see translate.h). One that calls lobe takes its form as a second template argument.
 #include "core/base/text.h"
 #include "core/reflectance/model_text.h"
 #include "tools/translate.h"
@@ -46,8 +46,10 @@ std::string memberValue(const Parameter& p)
 
 void writeModel(std::ostream& out, const ModelText& model)
 {
-    out << "\ntemplate <class T> struct " << model.id << " : Frame<T> {\n"
-        << "    using Frame<T>::insideLight;\n    using Frame<T>::environment;\n    using Frame<T>::tableAt;\n";
+    out << "\ntemplate <class T" << (model.usesLobe ? ", template <class> class Lobe = ConditionedLobe" : "")
+        << "> struct " << model.id << " : Frame<T>" << (model.usesLobe ? ", Lobe<T>" : "") << " {\n"
+        << "    using Frame<T>::insideLight;\n    using Frame<T>::environment;\n    using Frame<T>::tableAt;\n"
+        << (model.usesLobe ? "    using Lobe<T>::lobe;\n" : "");
     for (const Parameter& p : model.parameters)
         out << "    " << memberType(p.kind) << " " << p.name
             << (p.kind == ParameterKind::List ? "[" + std::to_string(p.size) + "]" : "") << ";\n";
@@ -85,6 +87,10 @@ int run(const std::string& folder, const std::string& list, const std::string& h
            "REFLECTANCE_FOR_EACH_MODEL(DO)";
     for (const ModelText& model : models)
         out << " DO(" << model.id << ")";
+    out << "\n\n#define REFLECTANCE_FOR_EACH_MODEL_WITH_LOBE(DO)";
+    for (const ModelText& model : models)
+        if (model.usesLobe)
+            out << " DO(" << model.id << ")";
     out << '\n';
     return out.good() ? 0 : 1;
 }

@@ -1,12 +1,14 @@
 // Build step: makes C++ of shared texts that are not reflectance models.
 //
-//   make_texts SHADER_FOLDER OUT_HEADER NAME=TEXT.glsl...
+//   make_texts SHADER_FOLDER OUT_HEADER NAME=TEXT.glsl[+TEXT.glsl...]...
 //
-// Each text becomes `template <class T> struct NAME`, its uniforms data members with their defaults.
+// The texts after a name become `template <class T> struct NAME`, their uniforms data members with their defaults.
 #include "tools/translate.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 namespace {
 
@@ -14,18 +16,27 @@ int run(const std::string& folder, const std::string& header, char** pairs, int 
 {
     std::ofstream out(header);
     out << "// Made by tools/make_texts from the shared texts under shaders; do not edit.\n#pragma once\n\n"
-           "#include \"core/math/shading_language.h\"\n#include \"core/math/texels.h\"\n\nnamespace reflectance::texts {\n";
+           "#include \"core/math/texels.h\"\n#include \"core/math/text_functions.h\"\n\nnamespace reflectance::texts "
+           "{\n";
     for (int i = 0; i < count; ++i) {
         const std::string pair = pairs[i];
-        const std::size_t equals = pair.find('=');
-        const std::string path = equals == std::string::npos ? "" : pair.substr(equals + 1);
-        const std::string code = reflectance::tools::contents(folder + "/" + path);
-        if (path.empty() || code.empty()) {
-            std::cerr << "make_texts: " << pair << " names no text under " << folder << '\n';
+        const std::size_t equals = std::min(pair.find('='), pair.size());
+        out << "\ntemplate <class T> struct " << pair.substr(0, equals) << " {\n";
+        std::istringstream paths(pair.substr(std::min(equals + 1, pair.size())));
+        bool any = false;
+        for (std::string path; std::getline(paths, path, '+'); any = true) {
+            const std::string code = reflectance::tools::contents(folder + "/" + path);
+            if (code.empty()) {
+                std::cerr << "make_texts: " << path << " is no text under " << folder << '\n';
+                return 1;
+            }
+            out << "#line 1 \"shaders/" << path << "\"\n" << reflectance::tools::instantiated(code);
+        }
+        out << "};\n";
+        if (!any) {
+            std::cerr << "make_texts: " << pair << " names no text\n";
             return 1;
         }
-        out << "\ntemplate <class T> struct " << pair.substr(0, equals) << " {\n#line 1 \"shaders/" << path << "\"\n"
-            << reflectance::tools::instantiated(code) << "};\n";
     }
     out << "\n} // namespace reflectance::texts\n";
     return out.good() ? 0 : 1;

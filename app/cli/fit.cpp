@@ -2,6 +2,7 @@
 // on many surfaces.
 #include "app/cli/fit_report.h"
 #include "app/cli/long_work.h"
+#include "app/cli/page.h"
 #include "app/cli/report.h"
 #include "app/cli/verbs.h"
 #include "core/base/file.h"
@@ -14,7 +15,6 @@
 #include "core/study/fit/survey_page.h"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -187,21 +187,6 @@ int fitOne(const Options& options)
     return saved ? Done : refused(saved.error());
 }
 
-/// The page, and its drawings in the folder images beside it.
-Result<void> writePage(const std::string& path, const Survey& found, double tolerance)
-{
-    namespace fs = std::filesystem;
-    const std::string prefix = "images/" + fs::path(path).stem().string() + "-";
-    std::error_code failed; // writing says what is wrong with the folder
-    fs::create_directories(fs::path(path).parent_path() / "images", failed);
-    for (const Drawing& drawing : drawingsOf(found, tolerance)) {
-        const fs::path file = fs::path(path).parent_path() / (prefix + drawing.name + ".svg");
-        if (auto written = writeAtomically(file.string(), svgOf(drawing.chart, 760, 460)); !written)
-            return written;
-    }
-    return writeAtomically(path, pageOf(found, tolerance, prefix));
-}
-
 int fitAll(const Options& options)
 {
     if (!options.model.empty() || !options.picture.empty() || !options.out.empty() || !options.fixed.empty())
@@ -225,7 +210,10 @@ int fitAll(const Options& options)
         if (const auto written = writeAtomically(options.csv, csvOf(*found)); !written)
             return refused(written.error());
     if (!options.markdown.empty())
-        if (const auto written = writePage(options.markdown, *found, options.tolerance); !written)
+        if (const auto written =
+                writePage(options.markdown, drawingsOf(*found, options.tolerance),
+                          [&](const std::string& images) { return pageOf(*found, options.tolerance, images); });
+            !written)
             return refused(written.error());
     return Done;
 }

@@ -48,6 +48,15 @@ int explore(const explorer::ExplorerOptions& options)
     return *ended == explorer::Outcome::NoDisplay ? renderInstead(options) : Done;
 }
 
+/// The command line as it was typed.
+std::string typed(int argc, char** argv)
+{
+    std::string text = "reflectance";
+    for (int i = 1; i < argc; ++i)
+        text += std::string(" ") + argv[i];
+    return text;
+}
+
 int run(int argc, char** argv)
 {
     CLI::App program(description, "reflectance");
@@ -69,6 +78,8 @@ int run(int argc, char** argv)
     addMatrix(program, exitCode);
     addTable(program, exitCode);
     addFit(program, exitCode);
+    addTrade(program, typed(argc, argv), exitCode);
+    addGoniometer(program, exitCode);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -5,13 +5,16 @@
 #include "app/cli/report.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/verbs.h"
+#include "app/cli/waterfall_report.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/image/compare.h"
 #include "core/image/picture_file.h"
 #include "core/reflectance/kernel_tables.h"
+#include "core/render/pictures/picture_waterfall.h"
 #include "core/render/pictures/render_picture.h"
 #include "core/scene/requirements.h"
+#include "core/scene/scene_file.h"
 #include "core/sensor/picture.h"
 
 #include <CLI/CLI.hpp>
@@ -29,11 +32,14 @@ struct Options {
     std::string context = "any";
     std::string shading = "pixel";
     std::string lens;
+    std::string lobe = "conditioned";
     int frames = 1;
     std::string reference;
     double threshold = 0.0;
     std::string json;
     std::string probe;
+    bool waterfall = false;
+    std::string truth; ///< a scene file; empty: the scene itself
 };
 
 Result<RenderPlan> planFrom(const Options& options)
@@ -42,7 +48,14 @@ Result<RenderPlan> planFrom(const Options& options)
     plan.backend = options.backend == "gl" ? Backend::Gl : options.backend == "cpu" ? Backend::Cpu : Backend::Auto;
     plan.context = contextNamed(options.context);
     plan.frames = options.frames;
-    plan.shading = options.shading == "vertex" ? Shading::Vertex : Shading::Pixel;
+    plan.place = options.shading == "vertex" ? Place::Vertex
+                 : options.shading == "face" ? Place::Face
+                 : options.shading == "once" ? Place::Pixel
+                                             : Place::Sample;
+    const auto lobe = lobeFormNamed(options.lobe);
+    if (!lobe)
+        return lobe.error();
+    plan.lobe = *lobe;
     if (options.precision.empty())
         return plan;
     if (options.precision == "glsl")
@@ -59,22 +72,38 @@ Result<RenderPlan> planFrom(const Options& options)
 }
 
 nlohmann::ordered_json report(const Options& options, const Scene& scene, const RenderSettings& settings,
-                              const Rendered& rendered, const SensorCounts& counts)
+                              const Rendered& rendered, const SensorCounts& counts,
+                              const std::optional<Waterfall>& waterfall)
 {
-    return {{"out", options.out},
-            {"width", settings.width},
-            {"height", settings.height},
-            {"samples", settings.samplesPerAxis * settings.samplesPerAxis},
-            {"model", scene.surface.model},
-            {"triangles", scene.mesh->triangles.size()},
-            {"backend", rendered.backend},
-            {"precision", rendered.precision},
-            {"first_frame_ms", rendered.firstFrameMilliseconds},
-            {"shading_ms", rendered.shadingMilliseconds},
-            {"negative_pixels", counts.negative},
-            {"clipped_pixels", counts.clipped},
-            {"non_finite_pixels", counts.nonFinite},
-            {"left_out", leftOut(scene)}};
+    nlohmann::ordered_json figures{{"out", options.out},
+                                   {"width", settings.width},
+                                   {"height", settings.height},
+                                   {"samples", settings.samplesPerAxis * settings.samplesPerAxis},
+                                   {"model", scene.surface.model},
+                                   {"triangles", scene.mesh->triangles.size()},
+                                   {"backend", rendered.backend},
+                                   {"precision", rendered.precision},
+                                   {"lobe", options.lobe},
+                                   {"first_frame_ms", rendered.firstFrameMilliseconds},
+                                   {"shading_ms", rendered.shadingMilliseconds},
+                                   {"negative_pixels", counts.negative},
+                                   {"clipped_pixels", counts.clipped},
+                                   {"non_finite_pixels", counts.nonFinite},
+                                   {"left_out", leftOut(scene)}};
+    if (waterfall)
+        figures["waterfall"] = waterfallReport(*waterfall);
+    return figures;
+}
+
+/// A form of the lobe asks for a model that has one, and may not be made for its exponent.
+Result<void> checkLobe(const Scene& scene, LobeForm lobe)
+{
+    const ModelText& text = modelOf(scene).text;
+    if (lobe == LobeForm::Conditioned)
+        return {};
+    if (!text.usesLobe)
+        return Error{"--lobe is for models with a highlight (R.V)^n, and " + text.id + " has none; leave it out"};
+    return checkExponent(lobe, valuesOf(scene)[text.find("n")->offset]);
 }
 
 int compareWithReference(const Options& options, const Image& image)
@@ -111,15 +140,34 @@ Result<void> checkLens(const Options& options)
 {
     if (!options.out.ends_with(".png"))
         return Error{"--lens paints a PNG; name the output .png"};
-    const std::pair<const char*, bool> others[] = {{"--precision", !options.precision.empty()},
-                                                   {"--backend", options.backend != "auto"},
-                                                   {"--shading", options.shading != "pixel"},
-                                                   {"--frames", options.frames != 1},
-                                                   {"--reference", !options.reference.empty()}};
+    const std::pair<const char*, bool> others[] = {
+        {"--precision", !options.precision.empty()}, {"--backend", options.backend != "auto"},
+        {"--shading", options.shading != "pixel"},   {"--lobe", options.lobe != "conditioned"},
+        {"--frames", options.frames != 1},           {"--reference", !options.reference.empty()},
+        {"--waterfall", options.waterfall}};
     for (const auto& [flag, given] : others)
         if (given)
             return Error{std::string("--lens compares one arithmetic with double; leave ") + flag + " out"};
     return {};
+}
+
+/// From the truth to what was written, where it was asked for.
+Result<std::optional<Waterfall>> waterfallFrom(const Options& options, const Scene& scene,
+                                               const RenderSettings& settings, const Image& rendered)
+{
+    if (!options.waterfall)
+        return std::optional<Waterfall>();
+    auto truth = options.truth.empty() ? Result<Scene>(scene) : loadScene(options.truth);
+    if (!truth)
+        return truth.error();
+    const LongWork work;
+    auto waterfall = waterfallOf(picturesToTruth(scene, *truth, settings, rendered, &LongWork::progress()));
+    if (LongWork::wasStopped())
+        return Error{"stopped before the waterfall was measured"};
+    if (!waterfall)
+        return waterfall.error();
+    printWaterfall(*waterfall);
+    return std::optional(*std::move(waterfall));
 }
 
 int runLens(const Options& options, const Scene& scene, const RenderSettings& settings)
@@ -183,6 +231,8 @@ int run(const Options& options)
     const auto scene = sceneFrom(options.scene);
     if (!scene)
         return refused(scene.error());
+    if (const auto fits = checkLobe(*scene, plan->lobe); !fits)
+        return refused(fits.error());
     if (!options.lens.empty())
         return runLens(options, *scene, *settings);
     const auto rendered = renderWatched(*scene, *settings, *plan);
@@ -191,7 +241,11 @@ int run(const Options& options)
     const auto counts = savePicture(options.out, rendered->image, scene->sensor);
     if (!counts)
         return refused(counts.error());
-    if (const auto written = writeReport(options.json, report(options, *scene, *settings, *rendered, *counts));
+    const auto waterfall = waterfallFrom(options, *scene, *settings, rendered->image);
+    if (!waterfall)
+        return refused(waterfall.error(), LongWork::wasStopped() ? Stopped : BadInput);
+    if (const auto written =
+            writeReport(options.json, report(options, *scene, *settings, *rendered, *counts, *waterfall));
         !written)
         return refused(written.error());
     if (options.reference.empty())
@@ -222,8 +276,14 @@ void addRender(CLI::App& program, int& exitCode)
         ->capture_default_str();
     verb->add_option(
             "--shading", options->shading,
-            "where the model is evaluated: pixel (at every sample) or vertex (interpolated over triangles; CPU)")
-        ->check(CLI::IsMember({"pixel", "vertex"}))
+            "where the model is evaluated: pixel (at every sample), once (per pixel), vertex (interpolated over "
+            "triangles; CPU) or face (CPU)")
+        ->check(CLI::IsMember({"pixel", "once", "vertex", "face"}))
+        ->capture_default_str();
+    verb->add_option(
+            "--lobe", options->lobe,
+            "how a highlight's (R.V)^n is computed: conditioned (right), power, squarings (whole n), truncated, "
+            "schlick or table")
         ->capture_default_str();
     verb->add_option("--lens", options->lens,
                      "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
@@ -236,6 +296,12 @@ void addRender(CLI::App& program, int& exitCode)
     verb->add_option("--threshold", options->threshold, "largest linear difference that still holds")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
+    CLI::Option* waterfall = verb->add_flag(
+        "--waterfall", options->waterfall,
+        "how much of the difference from the truth comes from geometry, model, precision, sensor and encoding");
+    verb->add_option("--truth", options->truth,
+                     "scene file whose mesh and surface are the truth of --waterfall (default: the scene's own)")
+        ->needs(waterfall);
     verb->add_option("--json", options->json, "figures about the picture, to a file or - for standard output");
     verb->callback([options, &exitCode] { exitCode = run(*options); });
 }

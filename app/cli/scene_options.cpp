@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/scene/library_surface.h"
 #include "core/scene/scene_file.h"
+#include "core/sensor/fields.h"
 
 #include <cmath>
 #include <numbers>
@@ -166,6 +167,18 @@ Result<void> setSurface(const SceneOptions& options, Surface& surface)
     return {};
 }
 
+Result<void> setSensor(const SceneOptions& options, Sensor& sensor)
+{
+    for (const std::string& assignment : options.sensor)
+        if (const auto set = setOnSensor(assignment, sensor); !set)
+            return Error{"--sensor " + assignment + ": " + set.error().message};
+    sensor.view.marks = sensor.view.marks || options.markClipped;
+    for (const auto& kind : sensorViewKinds)
+        if (kind.name == options.view)
+            sensor.view.kind = kind.value;
+    return {};
+}
+
 Result<void> setLights(const SceneOptions& options, std::vector<Light>& lights)
 {
     if (!options.lights.empty())
@@ -206,6 +219,18 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options)
                     "none, studio, constant:R,G,B, or a latitude-longitude picture (.exr, .hdr)");
     verb.add_option("--background", options.background, "environment, or a linear colour R,G,B");
     verb.add_option("--exposure", options.exposure, "EV: radiance times 2^EV before the sensor, -16 .. 16");
+    verb.add_option(
+        "--sensor", options.sensor,
+        "PART=VALUE[:KEY=VALUE...] of the sensor, VALUE being on, off or that of the part's first key, as in "
+        "noise=8:seed=3, quantisation=10, encoding=rec709, response=curve:file=CURVE.csv, well=off, or all=off; the "
+        "parts "
+        "and their keys: " +
+            sensorGrammar());
+    verb.add_option("--view", options.view,
+                    "what a PNG shows: picture, luminance or false-colour (one colour per stop)")
+        ->check(CLI::IsMember(namesIn(sensorViewKinds)));
+    verb.add_flag("--mark-clipped", options.markClipped,
+                  "paint stripes where a PNG is clipped (orange) or negative (blue), magenta where it is no number");
 }
 
 Result<Light> parseLight(const std::string& text)
@@ -294,6 +319,8 @@ Result<Scene> sceneFrom(const SceneOptions& options)
             return Error{"--exposure " + general(*options.exposure, 6) + " is out of range; give a value in -16 .. 16"};
         scene->sensor.exposure = *options.exposure;
     }
+    if (const auto set = setSensor(options, scene->sensor); !set)
+        return set.error();
     return scene;
 }
 

@@ -27,6 +27,9 @@ struct SceneOptions {
     std::string environment;
     std::string background;
     std::optional<double> exposure;
+    std::vector<std::string> sensor; ///< "PART=VALUE[:KEY=VALUE...]"
+    std::string view;                ///< of the sensor
+    bool markClipped = false;
 };
 
 void addSceneOptions(CLI::App& verb, SceneOptions& options);

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 
 #include <CLI/App.hpp>
+#include <string>
 
 namespace reflectance::cli {
 
@@ -25,5 +26,8 @@ void addCheck(CLI::App& program, int& exitCode);
 void addMatrix(CLI::App& program, int& exitCode);
 void addTable(CLI::App& program, int& exitCode);
 void addFit(CLI::App& program, int& exitCode);
+/// `command`: as it was typed, for the report.
+void addTrade(CLI::App& program, const std::string& command, int& exitCode);
+void addGoniometer(CLI::App& program, int& exitCode);
 
 } // namespace reflectance::cli

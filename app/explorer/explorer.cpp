@@ -7,8 +7,11 @@
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
 #include "app/explorer/requests.h"
+#include "app/explorer/sensor_polls.h"
 #include "app/explorer/session.h"
+#include "app/explorer/study_renderer.h"
 #include "app/explorer/thumbnails.h"
+#include "app/explorer/trades.h"
 #include "app/explorer/trust_view.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/user_folders.h"
@@ -121,24 +124,11 @@ void drawInterface(Session& session)
     drawFileBrowser(state);
 }
 
-/// The renderer that studies draw with; null, and said, where GL refuses.
-GlRenderer* benchOf(Session& session)
-{
-    if (session.bench)
-        return &*session.bench;
-    Result<GlRenderer> made = GlRenderer::create(Window::loader());
-    if (!made) {
-        session.state.message = Message{made.error().sentence(), true};
-        return nullptr;
-    }
-    return &session.bench.emplace(*std::move(made));
-}
-
 void tryNextHazard(Session& session)
 {
     if (session.state.extremes.running)
         session.state.extremes.step(
-            programInstruments(benchOf(session), "the window's driver gave no second renderer"));
+            programInstruments(studyRenderer(session), "the window's driver gave no second renderer"));
 }
 
 void turnTable(Session& session, double seconds)
@@ -184,12 +174,14 @@ void drawOnce(Session& session)
     saveAskedWindowPicture(session);
     session.window.showFrame();
     pollPrices(session);
+    pollTrade(session);
     pollDifference(session);
     pollThumbnails(session);
     serveRequests(session);
     pollFiles(session);
     tryNextHazard(session);
     pollFit(session);
+    pollSensorStudy(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
     keepSession(session);
     titleWindow(session);
@@ -200,8 +192,10 @@ Reasons reasonsOf(const Session& session)
     const auto untilRefined = session.viewport.cameraMoved + restBeforeRefining(session.viewport) - Clock::now();
     const bool refine = session.viewport.refinementOwed && !session.viewport.dragging();
     return {
-        .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running,
-        .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running,
+        .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running ||
+                     (session.state.trade.running && !session.trades.steps.busy()),
+        .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running ||
+                   session.state.colour.object.running,
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),

@@ -23,23 +23,60 @@ FitOutcome refusedFit(const FitWish& wish, const Error& error)
     return outcome;
 }
 
+Result<FitOutcome> gathered(const FitWish& wish, Progress& progress)
+{
+    FitOutcome outcome;
+    outcome.wish = wish;
+    if (wish.fromPicture) {
+        auto seen = observationsOf(wish.photograph->picture, *wish.scene, wish.pixels, 20000, &progress);
+        if (!seen)
+            return Error{seen.error().message, wish.photograph->file};
+        outcome.observations = *std::move(seen);
+        return outcome;
+    }
+    auto measurement = loadMeasurement(wish.file, {static_cast<std::size_t>(wish.surface), {}});
+    if (!measurement)
+        return measurement.error();
+    outcome.observations = observationsOf(*measurement);
+    outcome.measurement = *std::move(measurement);
+    return outcome;
+}
+
 } // namespace
+
+std::optional<Photograph> photographFrom(const std::string& file, const Sensor& sensor, const Progress& progress)
+{
+    Photograph photograph;
+    photograph.file = file;
+    auto picture = readPicture(file);
+    if (progress.cancel)
+        return std::nullopt;
+    if (!picture) {
+        photograph.problem = picture.error().sentence();
+        return photograph;
+    }
+    photograph.shown = develop(picture->image, picture->isLinear() ? sensor : Sensor());
+    photograph.picture = *std::move(picture);
+    return photograph;
+}
 
 std::optional<FitOutcome> fittedAsWished(const FitWish& wish, Progress& progress)
 {
-    auto measurement = loadMeasurement(wish.file, {static_cast<std::size_t>(wish.surface), {}});
-    if (!measurement)
-        return refusedFit(wish, measurement.error());
     const auto model = findModel(wish.model);
     if (!model)
         return refusedFit(wish, model.error());
-    Observations observations = observationsOf(*measurement);
-    auto fit = fitModel(**model, observations, optionsOf(wish), &progress);
+    auto outcome = gathered(wish, progress);
+    if (progress.cancel)
+        return std::nullopt;
+    if (!outcome)
+        return refusedFit(wish, outcome.error());
+    auto fit = fitModel(**model, outcome->observations, optionsOf(wish), &progress);
     if (progress.cancel)
         return std::nullopt;
     if (!fit)
         return refusedFit(wish, fit.error());
-    return FitOutcome{wish, {}, *std::move(measurement), std::move(observations), *std::move(fit)};
+    outcome->fit = *std::move(fit);
+    return *std::move(outcome);
 }
 
 } // namespace reflectance::explorer

@@ -2,7 +2,7 @@
 
 #include "app/explorer/user_folders.h"
 #include "core/image/picture_file.h"
-#include "core/sensor/sensor.h"
+#include "core/sensor/picture.h"
 
 #include <GL/glcorearb.h>
 
@@ -41,10 +41,9 @@ Result<std::string> saveViewPicture(const ExplorerState& state, const Viewport& 
 {
     if (const Result<void> rendered = renderFully(state, viewport, renderer); !rendered)
         return rendered.error();
-    const Developed picture = develop(renderer.readLinear(), state.scene.sensor);
     const std::string chosen = chosenPath(state, path);
-    if (const Result<void> written = writePng(chosen, picture.width, picture.height, picture.rgb); !written)
-        return written.error();
+    if (const auto saved = savePicture(chosen, renderer.readLinear(), state.scene.sensor); !saved)
+        return saved.error();
     return chosen;
 }
 

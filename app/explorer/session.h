@@ -8,6 +8,7 @@
 #include "app/explorer/own_models.h"
 #include "app/explorer/second_view.h"
 #include "app/explorer/state.h"
+#include "app/explorer/trades.h"
 #include "app/explorer/trust.h"
 #include "app/explorer/user_folders.h"
 #include "app/explorer/viewport.h"
@@ -32,11 +33,17 @@ struct Session {
     Background<Prices> prices{Window::wake};
     Trust trust{Window::wake};
     Background<FitOutcome> fit{Window::wake};
+    Background<Photograph> photograph{Window::wake};
+    ScreenTexture photographTexture{Window::loader()};
     Background<std::vector<Thumbnail>> thumbnails{Window::wake};
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
     Autosave autosave{stateFolder()};
     OwnModelWatch ownModels;
+
+    Background<Waterfall> waterfall{Window::wake};
+    std::shared_ptr<const Rested> waterfallAsked; ///< the picture that it was last asked of
+    Background<ObjectPrices> objectPrices{Window::wake};
 
     Background<TableFacts> tableFacts{Window::wake};
     std::shared_ptr<const MeasuredTable> tableAsked; ///< that the facts were last asked of
@@ -45,6 +52,7 @@ struct Session {
     std::string sceneFile;                    ///< the scene file in use; empty where there is none
     std::optional<std::string> windowPicture; ///< where to save the frame being drawn; empty chooses a name
     std::optional<GlRenderer> bench; ///< draws for studies, so that the picture's own buffers stay; made when needed
+    Trades trades{Window::wake};     ///< after `bench`, which it draws with
     bool quit = false;
 
     std::uint64_t pricedPicture = 0;  ///< Viewport::pictures when the prices were last asked for

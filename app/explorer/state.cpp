@@ -1,5 +1,7 @@
 #include "app/explorer/state.h"
 
+#include "core/sensor/fields.h"
+
 #include <algorithm>
 
 namespace reflectance::explorer {
@@ -15,6 +17,8 @@ Scene shownScene(const ExplorerState& state)
 {
     Scene scene = state.scene;
     scene.surface.showHoles = true;
+    if (!state.soloPart.empty())
+        scene.sensor = onlyPart(scene.sensor, state.soloPart);
     if (state.soloLight < 0 || state.soloLight >= static_cast<int>(scene.lights.size()))
         return scene;
     for (std::size_t i = 0; i < scene.lights.size(); ++i)

@@ -2,12 +2,15 @@
 // frame loop draws it. No GL and no ImGui in here.
 #pragma once
 
-#include "app/explorer/exhibition.h"
 #include "app/explorer/comparison.h"
+#include "app/explorer/exhibition.h"
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/fit_study.h"
+#include "app/explorer/object_price.h"
+#include "app/explorer/sensor_study.h"
 #include "app/explorer/surface_shelf.h"
 #include "app/explorer/table_study.h"
+#include "app/explorer/trade_study.h"
 #include "app/explorer/ui/panel_memory.h"
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
@@ -99,6 +102,8 @@ struct ColourPage {
     std::optional<ColorQuestion> asked; ///< the question that was answered last
     std::optional<ColorAnswer> answer;  ///< the last good one
     std::string problem;                ///< why there is none for `asked`
+    bool showsPair = false;             ///< a metameric pair in the chart's place
+    ObjectStudy object;
 };
 
 struct ExplorerState {
@@ -107,6 +112,7 @@ struct ExplorerState {
     SurfaceShelf shelf;
     int selectedLight = 0; ///< index into scene.lights, -1 for none
     int soloLight = -1;    ///< only this light shines; -1 for all
+    std::string soloPart;  ///< of the sensor: only this part works, beside exposure and encoding; empty for all
     bool turntable = false;
     bool showHelp = false;
     bool showFileBrowser = false;
@@ -123,6 +129,8 @@ struct ExplorerState {
     std::vector<PriceTag> priceTags; ///< of the current scene; empty while being measured
     bool measuringPrices = false;
     std::optional<SensorCounts> sensorCounts; ///< of the last picture; none where they were not counted
+    std::optional<PixelReading> pixel;        ///< under the mouse, of the picture at rest
+    SensorStudy sensorStudy;
 
     // What is known of the picture at rest.
     std::optional<GlCheck> glCheck;  ///< GL against double; none while it is being looked at
@@ -138,6 +146,7 @@ struct ExplorerState {
     ColourPage colour;
     FitStudy fit;
     TablePage tablePage;
+    TradeStudy trade;
 
     // Between the panels and the frame loop.
     PanelMemory panels;

@@ -3,6 +3,7 @@
 #include "app/explorer/ui/case_banner.h"
 #include "app/explorer/ui/gl_badge.h"
 #include "app/explorer/ui/lens_legend.h"
+#include "app/explorer/ui/stops_legend.h"
 
 #include <imgui.h>
 
@@ -46,6 +47,8 @@ void drawTrust(Session& session, const Area& area)
     drawGlBadge(state, {area.x + margin, area.y + margin});
     drawCaseBanner(state, {area.x + margin, area.y + margin + 32.0F * session.window.scale()},
                    {area.width - 2.0F * margin, area.height});
+    if (state.scene.sensor.view.kind == SensorViewKind::FalseColor)
+        drawStopsLegend({area.x + margin, area.bottom() - margin});
     if (state.lens)
         drawLensLegend(state, {area.right() - margin, area.bottom() - margin});
 }

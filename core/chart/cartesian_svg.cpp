@@ -30,6 +30,12 @@ std::size_t legendLines(const Chart& chart)
                                                   [](const Series& series) { return !series.name.empty(); }));
 }
 
+/// Where an error bar ends that would leave a logarithmic axis.
+double smallestOn(const Axis& axis)
+{
+    return axis.scale == AxisScale::Log ? axis.low : -HUGE_VAL;
+}
+
 void drawAxes(SvgWriter& svg, const Chart& chart, const Field& field)
 {
     for (const Tick& tick : ticksOf(chart.x, static_cast<int>((field.right - field.left) / 70.0))) {
@@ -66,6 +72,9 @@ void drawSeries(SvgWriter& svg, const Chart& chart, const Series& series, const 
         if (i < series.spread.size())
             svg.line(x, field.y(chart.y, series.y[i] - series.spread[i]), x,
                      field.y(chart.y, series.y[i] + series.spread[i]), {series.color, 1.0, opacity});
+        if (i < series.spreadX.size())
+            svg.line(field.x(chart.x, std::max(series.x[i] - series.spreadX[i], smallestOn(chart.x))), y,
+                     field.x(chart.x, series.x[i] + series.spreadX[i]), y, {series.color, 1.0, opacity});
         if (series.mark != Mark::Line)
             svg.dot(x, y, 3.2, series.color, opacity);
         if (i < series.labels.size())

@@ -27,12 +27,13 @@ enum class Mark { Line, Dots, LineAndDots };
 struct Series {
     std::string name; ///< in the legend; empty: not listed there
     ChartColor color = 0;
-    std::vector<double> x, y;        ///< as many of both; what is not finite interrupts the line
-    std::vector<double> spread = {}; ///< half the length of an error bar in y, for each point; empty: none
+    std::vector<double> x, y;         ///< as many of both; what is not finite interrupts the line
+    std::vector<double> spread = {};  ///< half the length of an error bar in y, for each point; empty: none
     Mark mark = Mark::Line;
     bool faint = false;                   ///< drawn behind and pale: dominated, unselected
     bool dashed = false;                  ///< what is a reference rather than a result
     std::vector<std::string> labels = {}; ///< beside the points; empty: none
+    std::vector<double> spreadX = {};     ///< as `spread`, in x
 };
 
 /// A line across the chart.

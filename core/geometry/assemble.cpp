@@ -14,6 +14,9 @@ class VertexSplitter {
 public:
     VertexSplitter(const PolygonSoup& soup, Mesh& mesh) : mesh_(mesh), newest_(soup.positions.size(), PolygonSoup::none)
     {
+        mesh.normals.reserve(soup.positions.size());
+        mesh.fileVertex.reserve(soup.positions.size());
+        older_.reserve(soup.positions.size());
     }
 
     Index vertex(Index fileVertex, const Vec3d& normal)
@@ -76,17 +79,16 @@ double areaOf(const PolygonSoup& soup, const TriangleList& list)
 
 } // namespace
 
-Mesh assembled(const PolygonSoup& soup, const TriangleList& list, const CornerNormals& normals, MeshReport& report)
+Mesh assembled(const PolygonSoup& soup, TriangleList list, const CornerNormals& normals, MeshReport& report)
 {
     Mesh mesh;
+    report.area = areaOf(soup, list);
+    list.faceNormals = {};
     VertexSplitter splitter(soup, mesh);
-    mesh.triangles.reserve(list.vertices.size());
-    for (std::size_t t = 0; t < list.vertices.size(); ++t) {
-        Mesh::Triangle triangle;
+    for (std::size_t t = 0; t < list.vertices.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k)
-            triangle[k] = splitter.vertex(list.vertices[t][k], normals[t][k]);
-        mesh.triangles.push_back(triangle);
-    }
+            list.vertices[t][k] = splitter.vertex(list.vertices[t][k], normals.at(t, k));
+    mesh.triangles = std::move(list.vertices);
     measureBounds(soup, mesh, report);
     mesh.placement = placementOf(soup, mesh, report);
     mesh.positions.reserve(mesh.fileVertex.size());
@@ -95,7 +97,6 @@ Mesh assembled(const PolygonSoup& soup, const TriangleList& list, const CornerNo
     mesh.fileVertexCount = soup.positions.size();
     report.meshVertices = mesh.positions.size();
     report.unusedVertices = splitter.unused();
-    report.area = areaOf(soup, list);
     return mesh;
 }
 

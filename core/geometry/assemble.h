@@ -6,7 +6,8 @@
 namespace reflectance {
 
 /// Centred and scaled in double, vertices split where normals differ. Fills the report's vertex counts, area, bounds.
-[[nodiscard]] Mesh assembled(const PolygonSoup& soup, const TriangleList& list, const CornerNormals& normals,
+/// The list's triangles become the mesh's in their place.
+[[nodiscard]] Mesh assembled(const PolygonSoup& soup, TriangleList list, const CornerNormals& normals,
                              MeshReport& report);
 
 } // namespace reflectance

@@ -103,6 +103,16 @@ std::optional<Error> whyNoMesh(const FileHead& head, std::string_view extension,
     return isUnknown ? std::optional(unknownFormat(file)) : std::nullopt;
 }
 
+bool isSurelyObj(const FileHead& head, std::string_view extension)
+{
+    std::string_view bytes = head.bytes;
+    if (bytes.starts_with(byteOrderMark))
+        bytes.remove_prefix(byteOrderMark.size());
+    const std::string_view word = firstWord(bytes);
+    const bool isWhole = !word.empty() && word.data() + word.size() < bytes.data() + bytes.size();
+    return isWhole && !whyNoMesh(bytes, "") && formatOf(bytes, head.fileSize, extension) == Format::Obj;
+}
+
 Result<PolygonSoup> readSoup(std::string_view bytes, std::string_view extension, ReadContext& context)
 {
     if (bytes.starts_with(byteOrderMark))
@@ -114,7 +124,7 @@ Result<PolygonSoup> readSoup(std::string_view bytes, std::string_view extension,
         return unknownFormat(context.file);
     switch (*format) {
     case Format::Obj:
-        return readObj(bytes, context);
+        return readObj(TextParts(bytes), context);
     case Format::Ply:
         return readPly(bytes, context);
     case Format::Off:

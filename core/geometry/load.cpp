@@ -2,6 +2,7 @@
 
 #include "core/base/embedded.h"
 #include "core/base/file.h"
+#include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/geometry/assemble.h"
 #include "core/geometry/readers.h"
@@ -56,12 +57,12 @@ Error noFaces(const MeshReport& report, const std::string& file)
 }
 
 /// Says why a mesh looks faceted when its file asks for it.
-void noteFlatShading(const TriangleList& list, MeshReport& report)
+void noteFlatShading(const CornerNormals& normals, MeshReport& report)
 {
     const auto isFlat = [](const Mesh::Triangle& n) { return n[0] == n[1] && n[1] == n[2]; };
     constexpr std::size_t fewTriangles = 100; // a cube has flat faces by nature
-    if (list.normals.size() >= fewTriangles && report.cornersWithFileNormal == 3 * list.normals.size() &&
-        std::all_of(list.normals.begin(), list.normals.end(), isFlat))
+    if (normals.corners.size() >= fewTriangles && report.cornersWithFileNormal == 3 * normals.corners.size() &&
+        std::all_of(normals.corners.begin(), normals.corners.end(), isFlat))
         report.notes.emplace_back(
             "the file gives every face one normal, so the surface looks faceted; computing the normals "
             "anew (--smooth) rounds it");
@@ -80,43 +81,74 @@ void warnOfNormals(const MeshReport& report, Warnings& warnings)
                      counted(report.flippedTriangles, "triangle"));
 }
 
-Result<LoadedMesh> meshFrom(std::string_view bytes, const std::string& name, const LoadOptions& options)
+/// From what a reader found to the mesh. Every step gives back what it has used up: of a large mesh little is held twice.
+Result<LoadedMesh> meshOf(PolygonSoup soup, ReadContext& context, const LoadOptions& options, MeshReport report)
 {
-    MeshReport report;
-    ReadContext context{name, {}, options.progress, options.cancel, 0.0, 0.4};
     Stopwatch watch;
-    auto soup = readSoup(bytes, extensionOf(name), context);
-    if (!soup)
-        return soup.error();
-    report.format = soup->format;
-    report.notes = soup->notes;
-    report.readSeconds = watch.lap();
-
+    report.format = soup.format;
+    report.notes = soup.notes;
     context.stepBegins = 0.4;
     context.stepEnds = 0.6;
-    auto list = trianglesOf(*soup, context, report);
+    auto list = trianglesOf(soup, context, report);
     if (!list)
         return list.error();
     if (list->vertices.empty())
-        return noFaces(report, name);
+        return noFaces(report, context.file);
     report.triangulateSeconds = watch.lap();
     if (!context.goOn(1.0))
         return context.stopped();
 
-    CornerNormals normals = fileNormals(*soup, *list, report);
+    CornerNormals normals = fileNormals(soup, *list, report, context.threads);
     warnOfNormals(report, context.warnings);
     if (options.recomputeNormals)
-        normals.assign(normals.size(), {});
+        normals = {{},
+                   std::vector(list->vertices.size(),
+                               Mesh::Triangle{PolygonSoup::none, PolygonSoup::none, PolygonSoup::none})};
     else
-        noteFlatShading(*list, report);
-    smoothMissingNormals(*soup, *list, options.creaseAngleDegrees, normals, report);
-    auto mesh = std::make_shared<Mesh>(assembled(*soup, *list, normals, report));
-    mesh->name = std::filesystem::path(name).stem().string();
+        noteFlatShading(normals, report);
+    smoothMissingNormals(soup, *list, options.creaseAngleDegrees, normals, report, context.threads);
+    auto mesh = std::make_shared<Mesh>(assembled(soup, *std::move(list), normals, report));
+    mesh->name = std::filesystem::path(context.file).stem().string();
     report.normalsSeconds = watch.lap();
     report.warnings = context.warnings.list();
     if (options.progress)
         options.progress->store(1.0, std::memory_order_relaxed);
     return LoadedMesh{std::move(mesh), std::move(report)};
+}
+
+/// `read` gives the soup.
+template <class Read> Result<LoadedMesh> meshFrom(const std::string& name, const LoadOptions& options, const Read& read)
+{
+    try {
+        ReadContext context{name, {}, options.progress, options.cancel, threadsFor(0), 0.0, 0.4};
+        Stopwatch watch;
+        auto soup = read(context);
+        if (!soup)
+            return soup.error();
+        MeshReport report;
+        report.readSeconds = watch.lap();
+        return meshOf(*std::move(soup), context, options, std::move(report));
+    } catch (const std::bad_alloc&) {
+        return Error{"does not fit into the memory; simplify it or close other programs", name};
+    }
+}
+
+/// Reads OBJ without holding all of the file.
+Result<PolygonSoup> soupOfFile(const std::string& path, ReadContext& context)
+{
+    const auto head = readFileHead(path, headOfFile);
+    if (!head)
+        return head.error();
+    const std::string extension = extensionOf(path);
+    if (auto error = whyNoMesh(*head, extension, path))
+        return *error;
+    constexpr std::uintmax_t largest = std::uintmax_t{4} << 30U; // beyond, readWholeFile says why not
+    if (head->fileSize <= largest && isSurelyObj(*head, extension)) {
+        auto parts = TextParts::ofFile(path, head->fileSize);
+        return parts ? readObj(*std::move(parts), context) : parts.error();
+    }
+    const auto bytes = readWholeFile(path);
+    return bytes ? readSoup(*bytes, extension, context) : bytes.error();
 }
 
 } // namespace
@@ -131,28 +163,12 @@ std::size_t MeshReport::droppedFaces() const
 
 Result<LoadedMesh> readMesh(std::string_view bytes, const std::string& name, const LoadOptions& options)
 {
-    try {
-        return meshFrom(bytes, name, options);
-    } catch (const std::bad_alloc&) {
-        return Error{"does not fit into the memory; simplify it or close other programs", name};
-    }
+    return meshFrom(name, options, [&](ReadContext& context) { return readSoup(bytes, extensionOf(name), context); });
 }
 
 Result<LoadedMesh> loadMesh(const std::string& path, const LoadOptions& options)
 {
-    try {
-        const auto head = readFileHead(path, headOfFile);
-        if (!head)
-            return head.error();
-        if (auto error = whyNoMesh(*head, extensionOf(path), path))
-            return *error;
-        const auto bytes = readWholeFile(path);
-        if (!bytes)
-            return bytes.error();
-        return meshFrom(*bytes, path, options);
-    } catch (const std::bad_alloc&) {
-        return Error{"does not fit into the memory; simplify it or close other programs", path};
-    }
+    return meshFrom(path, options, [&](ReadContext& context) { return soupOfFile(path, context); });
 }
 
 std::vector<std::string> stockMeshNames()

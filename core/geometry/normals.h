@@ -2,7 +2,7 @@
 // the faces around the vertex up to creases.
 //
 // This works on flat arrays rather than on the half-edge structure of topology.h: building that takes longer than all
-// the smoothing (0.8 s against 0.6 s for a million triangles), and it cannot hold edges with three triangles, which
+// the smoothing, and it cannot hold edges with three triangles, which
 // must be shaded all the same.
 #pragma once
 
@@ -10,19 +10,29 @@
 
 namespace reflectance {
 
-/// For each triangle, the normals of its three corners.
-using CornerNormals = std::vector<std::array<Vec3d, 3>>;
+/// The normals of every triangle's corners, those that corners share held once.
+struct CornerNormals {
+    std::vector<Vec3d> normals;          ///< unit
+    std::vector<Mesh::Triangle> corners; ///< of each triangle, into `normals`; PolygonSoup::none where one is missing
 
-/// The file's normals, unit; (0,0,0) where there is none or a bad one (hazard H13). A triangle that all of its
-/// normals see from behind is turned over in `list`. Counts all of it in the report.
-[[nodiscard]] CornerNormals fileNormals(const PolygonSoup& soup, TriangleList& list, MeshReport& report);
+    [[nodiscard]] Vec3d at(std::size_t triangle, std::size_t corner) const
+    {
+        const std::uint32_t i = corners[triangle][corner];
+        return i == PolygonSoup::none ? Vec3d() : normals[i];
+    }
+};
 
-/// Computes every normal that is still (0,0,0). Faces around a vertex belong together where they share an edge at which
+/// The file's normals, unit; missing where there is none or a bad one (hazard H13). A triangle that all of its
+/// normals see from behind is turned over in `list`. Counts all of it in the report. Takes the soup's normals and the
+/// list's indices of them.
+[[nodiscard]] CornerNormals fileNormals(PolygonSoup& soup, TriangleList& list, MeshReport& report, int threads = 1);
+
+/// Computes every normal that is missing. Faces around a vertex belong together where they share an edge at which
 /// they bend by at most the crease angle; within such a fan the face normals are summed, weighted by the angle of the
 /// face at the vertex (Thuermer and Wuethrich 1998), which makes the result independent of the triangulation. Vertices
 /// at the same position count as one, so that seams between split vertices stay smooth. Where the sum cancels, the
 /// face's own normal is used (hazard H14).
 void smoothMissingNormals(const PolygonSoup& soup, const TriangleList& list, double creaseAngleDegrees,
-                          CornerNormals& normals, MeshReport& report);
+                          CornerNormals& normals, MeshReport& report, int threads = 1);
 
 } // namespace reflectance

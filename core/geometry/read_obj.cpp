@@ -1,137 +1,152 @@
+// Reads an OBJ file in parts, on several threads, and puts them together in their order: the result is that of one
+// thread, to the warnings and their lines.
+#include "core/base/parallel.h"
+#include "core/geometry/obj_part.h"
 #include "core/geometry/readers.h"
-#include "core/geometry/text_cursor.h"
 
-#include <array>
+#include <algorithm>
+#include <optional>
 
 namespace reflectance {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using Index = PolygonSoup::Index;
 
-class ObjReader {
+template <class T> void append(std::vector<T>& all, const std::vector<T>& more)
+{
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+/// Takes over part after part.
+class ObjSoup {
 public:
-    ObjReader(std::string_view text, ReadContext& context) : text_(text), cursor_(text), context_(context)
+    /// Room for a file of this many bytes, generously: memory that stays untouched costs nothing, moving it does.
+    void expect(std::uintmax_t bytes)
     {
-        soup_.format = "OBJ";
+        constexpr std::uintmax_t fewest = 1U << 20U;
+        if (bytes < fewest)
+            return;
+        soup_.positions.reserve(static_cast<std::size_t>(bytes / 32));
+        soup_.corners.reserve(static_cast<std::size_t>(bytes / 10));
+        soup_.faceLines.reserve(static_cast<std::size_t>(bytes / 30));
     }
 
-    Result<PolygonSoup> read()
+    void add(const ObjPart& part, Warnings& warnings)
     {
-        for (std::size_t lines = 0; cursor_.toNextContent(); ++lines) {
-            if (lines % 65536 == 0 &&
-                !context_.goOn(static_cast<double>(cursor_.offset()) / static_cast<double>(text_.size())))
-                return context_.stopped();
-            readLine(cursor_.word());
-            cursor_.nextLine();
-        }
-        if (!anyNormal_)
-            soup_.cornerNormals = {};
+        addNormalIndices(part);
+        addFaceEnds(part);
+        const std::size_t before = soup_.corners.size();
+        append(soup_.corners, part.corners);
+        for (const RelativeIndex& relative : part.relativeCorners)
+            soup_.corners[before + relative.corner] = resolved(relative, soup_.positions.size());
+        append(soup_.positions, part.positions);
+        append(soup_.normals, part.normals);
+        for (const Index line : part.faceLines)
+            soup_.faceLines.push_back(line + static_cast<Index>(lines_));
+        warnings.append(part.warnings, lines_);
+        lines_ += part.lines;
+        hasMaterials_ = hasMaterials_ || part.hasMaterials;
+    }
+
+    PolygonSoup take()
+    {
+        soup_.format = "OBJ";
         if (hasMaterials_)
             soup_.notes.emplace_back("materials (mtllib, usemtl) are not read: the surface is this program's own");
         return std::move(soup_);
     }
 
 private:
-    void readLine(std::string_view keyword)
+    static Index resolved(const RelativeIndex& relative, std::size_t before)
     {
-        if (keyword == "v")
-            soup_.positions.push_back(readVector("a vertex without three numbers"));
-        else if (keyword == "vn")
-            soup_.normals.push_back(readVector("a normal without three numbers"));
-        else if (keyword == "f" || keyword == "fo")
-            readFace();
-        else if (keyword == "mtllib" || keyword == "usemtl")
-            hasMaterials_ = true;
-        else if (keyword == "l" || keyword == "p")
-            context_.warnings.add("lines and points are not drawn", cursor_.line());
-        else if (!isSilent(keyword))
-            context_.warnings.add("a line that OBJ does not know was skipped", cursor_.line(), quoted(keyword));
+        const long long index = static_cast<long long>(before) + relative.fromPartZero;
+        return index < 0 || index >= static_cast<long long>(PolygonSoup::none) ? PolygonSoup::none
+                                                                               : static_cast<Index>(index);
     }
 
-    static bool isSilent(std::string_view keyword)
+    /// Most files give every vertex its own normal, `f 1//1 2//2 3//3`: then no second list of indices is kept.
+    void addNormalIndices(const ObjPart& part)
     {
-        static constexpr std::array known{
-            "vt",    "g",    "o",      "s",      "vp",         "cstype",    "deg",      "bmat",     "step",  "curv",
-            "curv2", "surf", "parm",   "trim",   "hole",       "scrv",      "sp",       "end",      "con",   "mg",
-            "bevel", "lod",  "maplib", "usemap", "shadow_obj", "trace_obj", "c_interp", "d_interp", "ctech", "stech"};
-        for (const std::string_view name : known)
-            if (keyword == name)
-                return true;
-        return false;
-    }
-
-    /// A damaged vector keeps its place as NaN, so that later indices do not shift.
-    Vec3d readVector(std::string_view complaint)
-    {
-        std::array<double, 3> v{};
-        for (double& component : v) {
-            const auto number = cursor_.number();
-            if (!number) {
-                context_.warnings.add(complaint, cursor_.line());
-                return {nan, nan, nan};
-            }
-            component = *number;
+        if (part.corners.empty())
+            return;
+        const bool namesNone = part.cornerNormals.empty();
+        const bool isSame = part.relativeNormals.empty() && part.relativeCorners.empty() && !namesNone &&
+                            part.cornerNormals == part.corners;
+        if (isSame && (soup_.normalOfVertex || soup_.corners.empty())) {
+            soup_.normalOfVertex = true;
+            return;
         }
-        return {v[0], v[1], v[2]};
+        if (namesNone && !soup_.namesNormals())
+            return;
+        if (std::exchange(soup_.normalOfVertex, false))
+            soup_.cornerNormals = soup_.corners;
+        const std::size_t before = soup_.corners.size();
+        soup_.cornerNormals.resize(before, PolygonSoup::none);
+        append(soup_.cornerNormals, part.cornerNormals);
+        soup_.cornerNormals.resize(before + part.corners.size(), PolygonSoup::none);
+        for (const RelativeIndex& relative : part.relativeNormals)
+            soup_.cornerNormals[before + relative.corner] = resolved(relative, soup_.normals.size());
     }
 
-    void readFace()
+    /// Ends of faces are kept from the first face on that is no triangle.
+    void addFaceEnds(const ObjPart& part)
     {
-        const long line = cursor_.line();
-        while (!cursor_.atLineEnd())
-            if (!readCorner()) {
-                context_.warnings.add("a face with something that is not an index", line, quoted(cursor_.word()));
-                break;
-            }
-        soup_.faceEnds.push_back(static_cast<PolygonSoup::Index>(soup_.corners.size()));
-        soup_.faceLines.push_back(static_cast<PolygonSoup::Index>(line));
+        if (part.faceLines.empty() || (part.faceEnds.empty() && soup_.faceEnds.empty()))
+            return;
+        if (soup_.faceEnds.empty())
+            for (std::size_t face = 0; face < soup_.faceLines.size(); ++face)
+                soup_.faceEnds.push_back(static_cast<Index>(3 * face + 3));
+        const auto before = static_cast<Index>(soup_.corners.size());
+        for (std::size_t face = 0; face < part.faceLines.size(); ++face)
+            soup_.faceEnds.push_back(before +
+                                     (part.faceEnds.empty() ? static_cast<Index>(3 * face + 3) : part.faceEnds[face]));
     }
 
-    /// v, v/vt, v//vn or v/vt/vn; an empty place is allowed everywhere, though without a vertex the face is dropped.
-    bool readCorner()
-    {
-        const auto vertex = cursor_.integer();
-        bool hasMore = cursor_.accept('/');
-        if (!vertex && !hasMore)
-            return false;
-        std::optional<long long> normal;
-        if (hasMore) {
-            if (!isSpaceAhead())
-                (void)cursor_.integer();
-            if (cursor_.accept('/') && !isSpaceAhead())
-                normal = cursor_.integer();
-        }
-        soup_.corners.push_back(resolved(vertex.value_or(0), soup_.positions.size()));
-        soup_.cornerNormals.push_back(resolved(normal.value_or(0), soup_.normals.size()));
-        anyNormal_ = anyNormal_ || normal;
-        return true;
-    }
-
-    bool isSpaceAhead() const { return cursor_.offset() == text_.size() || text_[cursor_.offset()] <= ' '; }
-
-    /// 1-based, or counted back from the newest one; 0 and what lies before the first become `none`. Indices past the
-    /// newest are kept: some files list faces first, and the range is checked at the end.
-    static PolygonSoup::Index resolved(long long index, std::size_t soFar)
-    {
-        const long long zeroBased = index > 0 ? index - 1 : static_cast<long long>(soFar) + index;
-        if (index == 0 || zeroBased < 0 || zeroBased >= static_cast<long long>(PolygonSoup::none))
-            return PolygonSoup::none;
-        return static_cast<PolygonSoup::Index>(zeroBased);
-    }
-
-    std::string_view text_;
-    TextCursor cursor_;
-    ReadContext& context_;
     PolygonSoup soup_;
-    bool anyNormal_ = false;
+    long lines_ = 0;
     bool hasMaterials_ = false;
+};
+
+struct Item {
+    TextParts::Buffer buffer;
+    std::string_view text;
+    ObjPart part;
 };
 
 } // namespace
 
-Result<PolygonSoup> readObj(std::string_view text, ReadContext& context)
+Result<PolygonSoup> readObj(TextParts text, ReadContext& context)
 {
-    return ObjReader(text, context).read();
+    ObjSoup soup;
+    soup.expect(text.size());
+    std::optional<Error> failure;
+    double done = 0.0;
+    const auto take = [&](Item& item) {
+        const auto next = text.next(item.buffer);
+        if (!next)
+            failure = next.error();
+        item.text = next ? *next : std::string_view();
+        return !item.text.empty();
+    };
+    const auto work = [](Item& item) {
+        item.part.clear();
+        readObjPart(item.text, item.part);
+    };
+    const auto give = [&](const Item& item) {
+        if (!context.goOn(done / static_cast<double>(text.size())))
+            return false;
+        done += static_cast<double>(item.text.size());
+        soup.add(item.part, context.warnings);
+        return true;
+    };
+    const std::uintmax_t parts = text.size() / TextParts::usualSize + 1;
+    inOrder<Item>(static_cast<int>(std::min<std::uintmax_t>(parts, static_cast<std::uintmax_t>(context.threads))), take,
+                  work, give);
+    if (context.isCancelled())
+        return context.stopped();
+    if (failure)
+        return *failure;
+    return soup.take();
 }
 
 } // namespace reflectance

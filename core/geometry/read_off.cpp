@@ -29,8 +29,7 @@ public:
                 return context_.stopped();
             readFace();
         }
-        if (!soup_.normals.empty())
-            soup_.cornerNormals = soup_.corners; // an OFF normal belongs to its vertex
+        soup_.normalOfVertex = !soup_.normals.empty();
         return std::move(soup_);
     }
 

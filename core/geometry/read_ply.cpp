@@ -248,8 +248,7 @@ Result<PolygonSoup> readPly(std::string_view bytes, ReadContext& context)
                           : PlyBody(BinaryValues(bytes, cursor.offset(), swap), context, soup).read(*header);
     if (!goOn)
         return context.stopped();
-    if (!soup.normals.empty())
-        soup.cornerNormals = soup.corners; // a PLY normal belongs to its vertex
+    soup.normalOfVertex = !soup.normals.empty();
     return soup;
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/file.h"
 #include "core/base/result.h"
 #include "core/geometry/polygon_soup.h"
+#include "core/geometry/text_parts.h"
 #include "core/geometry/warnings.h"
 
 #include <atomic>
@@ -18,6 +19,7 @@ struct ReadContext {
     Warnings warnings;
     std::atomic<double>* progress = nullptr;   ///< 0 .. 1, of the whole way from file to mesh
     const std::atomic<bool>* cancel = nullptr; ///< set by another thread to stop
+    int threads = 1;                           ///< that read at the same time; the result is the same for any number
 
     double stepBegins = 0.0, stepEnds = 1.0; ///< the present step's share of `progress`
 
@@ -26,14 +28,16 @@ struct ReadContext {
     {
         if (progress)
             progress->store(stepBegins + done * (stepEnds - stepBegins), std::memory_order_relaxed);
-        return !(cancel && cancel->load(std::memory_order_relaxed));
+        return !isCancelled();
     }
+
+    [[nodiscard]] bool isCancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
 
     [[nodiscard]] Error stopped() const { return {"reading was stopped", file, 0}; }
 };
 
 /// Wavefront OBJ: v, vn and f with 1-based or negative indices; everything else is stepped over.
-Result<PolygonSoup> readObj(std::string_view text, ReadContext& context);
+Result<PolygonSoup> readObj(TextParts text, ReadContext& context);
 /// Stanford PLY: ascii, binary little-endian and binary big-endian; any scalar types, elements in any order.
 Result<PolygonSoup> readPly(std::string_view bytes, ReadContext& context);
 /// Geomview OFF in text, with the prefixes ST, C and N.
@@ -46,6 +50,9 @@ inline constexpr std::size_t headOfFile = 4096;
 
 /// Refuses what its first `headOfFile` bytes show to be no mesh, before gigabytes are read; nothing when it may be one.
 [[nodiscard]] std::optional<Error> whyNoMesh(const FileHead& head, std::string_view extension, const std::string& file);
+
+/// Whether the first `headOfFile` bytes leave no doubt that the file is OBJ, which can be read without holding all of it.
+[[nodiscard]] bool isSurelyObj(const FileHead& head, std::string_view extension);
 
 /// Finds out the format from the contents, `extension` ("obj") breaking the tie, and reads.
 Result<PolygonSoup> readSoup(std::string_view bytes, std::string_view extension, ReadContext& context);

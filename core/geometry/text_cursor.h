@@ -37,6 +37,13 @@ public:
             skipLineBreak();
     }
 
+    /// To `next`, a place of the text that stands behind this line's break.
+    void jumpBehindLine(const char* next)
+    {
+        at_ = next;
+        ++line_;
+    }
+
     /// Past lines that hold nothing; false at the end of the text.
     [[nodiscard]] bool toNextContent()
     {

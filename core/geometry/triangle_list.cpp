@@ -1,8 +1,10 @@
 #include "core/geometry/triangle_list.h"
 
+#include "core/base/parallel.h"
 #include "core/geometry/triangulate.h"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 namespace reflectance {
@@ -12,6 +14,8 @@ using Index = PolygonSoup::Index;
 
 /// Lengths beyond which squares overflow: such a vertex counts as infinite.
 constexpr double farthest = 1e300;
+
+constexpr std::size_t facesPerRange = 65536;
 
 bool isFinite(const Vec3d& p)
 {
@@ -26,8 +30,9 @@ double largest(const Vec3d& v)
 class FaceSorter {
 public:
     FaceSorter(const PolygonSoup& soup, ReadContext& context, MeshReport& report)
-        : soup_(soup), context_(context), report_(report), hasNormals_(!soup.cornerNormals.empty())
+        : soup_(soup), context_(context), report_(report), hasNormals_(soup.namesNormals() && !soup.normalOfVertex)
     {
+        list_.normalOfVertex = soup.normalOfVertex;
         list_.vertices.reserve(soup.corners.size() > 2 * soup.faceCount() ? soup.corners.size() - 2 * soup.faceCount()
                                                                           : 0);
         list_.faceNormals.reserve(list_.vertices.capacity());
@@ -53,7 +58,7 @@ private:
     void gather(std::size_t face)
     {
         places_.clear();
-        for (Index place = soup_.faceBegin(face); place < soup_.faceEnds[face]; ++place)
+        for (Index place = soup_.faceBegin(face); place < soup_.faceEnd(face); ++place)
             if (places_.empty() || soup_.corners[place] != soup_.corners[places_.back()])
                 places_.push_back(place);
         while (places_.size() > 1 && soup_.corners[places_.front()] == soup_.corners[places_.back()])
@@ -108,7 +113,7 @@ private:
     }
 
     Index vertex(std::size_t corner) const { return soup_.corners[places_[corner]]; }
-    Index normalAt(std::size_t corner) const { return soup_.cornerNormals[places_[corner]]; }
+    Index normalAt(std::size_t corner) const { return soup_.normalAt(places_[corner]); }
 
     const PolygonSoup& soup_;
     ReadContext& context_;
@@ -118,6 +123,65 @@ private:
     std::vector<Index> places_;
     std::vector<Vec3d> polygon_;
 };
+
+/// Copies indices, three to a triangle, and gives their memory back.
+std::vector<Mesh::Triangle> inThrees(std::vector<Index>& indices)
+{
+    std::vector<Mesh::Triangle> triangles(indices.size() / 3);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        triangles[t] = {indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]};
+    indices = {};
+    return triangles;
+}
+
+/// The unit normal of a triangle of which nothing needs to be said; (0,0,0) of any other.
+Vec3d plainNormal(const PolygonSoup& soup, const Index* corners)
+{
+    const std::size_t vertices = soup.positions.size();
+    if (corners[0] >= vertices || corners[1] >= vertices || corners[2] >= vertices)
+        return {};
+    const Vec3d& a = soup.positions[corners[0]];
+    const Vec3d& b = soup.positions[corners[1]];
+    const Vec3d& c = soup.positions[corners[2]];
+    return isFinite(a) && isFinite(b) && isFinite(c) ? faceNormal(a, b, c) : Vec3d();
+}
+
+/// The way of nearly all large meshes: triangles only, every one in order. Nothing where a face is not, and then nothing
+/// has been done.
+std::optional<TriangleList> plainTriangles(PolygonSoup& soup, int threads)
+{
+    if (!soup.faceEnds.empty() || soup.corners.empty())
+        return std::nullopt;
+    TriangleList list;
+    list.faceNormals.resize(soup.faceCount());
+    std::atomic<bool> isPlain = true;
+    inRanges(threads, soup.faceCount(), facesPerRange, [&](std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t face = first; face < last && isPlain; ++face) {
+            list.faceNormals[face] = plainNormal(soup, &soup.corners[3 * face]);
+            if (list.faceNormals[face] == Vec3d())
+                isPlain = false;
+        }
+    });
+    if (!isPlain)
+        return std::nullopt;
+    list.normalOfVertex = soup.normalOfVertex;
+    list.vertices = inThrees(soup.corners);
+    list.normals = inThrees(soup.cornerNormals);
+    return list;
+}
+
+/// Face by face, with all that may be the matter with one.
+Result<TriangleList> sortedTriangles(const PolygonSoup& soup, ReadContext& context, MeshReport& report)
+{
+    FaceSorter sorter(soup, context, report);
+    for (std::size_t face = 0; face < soup.faceCount(); ++face) {
+        if (face % facesPerRange == 0 &&
+            !context.goOn(static_cast<double>(face) / static_cast<double>(soup.faceCount())))
+            return context.stopped();
+        sorter.add(face);
+    }
+    return sorter.take();
+}
 
 } // namespace
 
@@ -146,18 +210,19 @@ Vec3d faceNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c)
     return sine > rounding ? normalized(normal) : Vec3d();
 }
 
-Result<TriangleList> trianglesOf(const PolygonSoup& soup, ReadContext& context, MeshReport& report)
+Result<TriangleList> trianglesOf(PolygonSoup& soup, ReadContext& context, MeshReport& report)
 {
-    FaceSorter sorter(soup, context, report);
-    for (std::size_t face = 0; face < soup.faceCount(); ++face) {
-        if (face % 65536 == 0 && !context.goOn(static_cast<double>(face) / static_cast<double>(soup.faceCount())))
-            return context.stopped();
-        sorter.add(face);
-    }
-    TriangleList list = sorter.take();
     report.fileVertices = soup.positions.size();
     report.fileFaces = soup.faceCount();
-    report.triangles = list.vertices.size();
+    auto plain = plainTriangles(soup, context.threads);
+    auto list = plain ? Result<TriangleList>(*std::move(plain)) : sortedTriangles(soup, context, report);
+    if (!list)
+        return list;
+    soup.corners = {};
+    soup.cornerNormals = {};
+    soup.faceEnds = {};
+    soup.faceLines = {};
+    report.triangles = list->vertices.size();
     return list;
 }
 

@@ -12,7 +12,14 @@ namespace reflectance {
 struct TriangleList {
     std::vector<Mesh::Triangle> vertices; ///< into PolygonSoup::positions; every one finite
     std::vector<Mesh::Triangle> normals;  ///< into PolygonSoup::normals or `none`; empty where the file names none
+    bool normalOfVertex = false;          ///< every corner's normal has its vertex's number: `normals` stays empty
     std::vector<Vec3d> faceNormals;       ///< unit, by the winding
+
+    [[nodiscard]] bool namesNormals() const { return normalOfVertex || !normals.empty(); }
+    [[nodiscard]] const Mesh::Triangle& normalsOf(std::size_t triangle) const
+    {
+        return normalOfVertex ? vertices[triangle] : normals[triangle];
+    }
 };
 
 /// Unit normal by the winding, computed from the file's own coordinates so that a tiny triangle keeps its direction;
@@ -20,7 +27,7 @@ struct TriangleList {
 [[nodiscard]] Vec3d faceNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c);
 
 /// Checks every face, triangulates and leaves out what has no area. Fills the report's counts of faces, dropped faces,
-/// degenerate triangles and triangles.
-Result<TriangleList> trianglesOf(const PolygonSoup& soup, ReadContext& context, MeshReport& report);
+/// degenerate triangles and triangles. Takes the faces out of the soup: of a large mesh no two copies are held.
+Result<TriangleList> trianglesOf(PolygonSoup& soup, ReadContext& context, MeshReport& report);
 
 } // namespace reflectance

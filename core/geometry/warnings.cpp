@@ -35,6 +35,17 @@ void Warnings::add(std::string_view kind, long line, std::string_view detail)
     known.first.push_back({std::move(text), line});
 }
 
+void Warnings::append(const Warnings& later, long linesBefore)
+{
+    for (const Kind& kind : later.kinds_) {
+        Kind& known = find(kind.text);
+        for (const MeshWarning& warning : kind.first)
+            if (known.first.size() < shownOfEachKind)
+                known.first.push_back({warning.text, warning.line > 0 ? warning.line + linesBefore : 0});
+        known.count += kind.count;
+    }
+}
+
 std::size_t Warnings::count(std::string_view kind) const
 {
     const auto place = places_.find(kind);

@@ -17,6 +17,9 @@ public:
     /// `kind` is both the text and what counts as a repetition; `detail` is shown with the first ones.
     void add(std::string_view kind, long line, std::string_view detail = {});
 
+    /// Adds what was found in a part of the file that begins behind `linesBefore` lines, as if it had been found here.
+    void append(const Warnings& later, long linesBefore);
+
     [[nodiscard]] std::size_t count(std::string_view kind) const;
 
     /// In the order of first appearance, each kind closed by "... and N more".

@@ -5,11 +5,13 @@
 #include "core/image/dimensions.h"
 
 #include <ImfChannelList.h>
+#include <ImfChromaticities.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 
 #include <cstring>
 #include <stdexcept>
@@ -138,6 +140,7 @@ std::string encodedExr(const Image& image)
 {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::addChromaticities(header, Imf::Chromaticities()); // the library's default is Rec. 709
     Imf::FrameBuffer buffer;
     const std::size_t row = sizeof(float) * static_cast<std::size_t>(image.width);
     // The library's slices are not const; writing leaves them alone.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/image/encoding.h"
 #include "core/image/image.h"
 
 #include <cstdint>
@@ -14,17 +15,19 @@
 namespace reflectance {
 
 /// 8 or 16 bits; grey, RGB or palette, with or without alpha (-> coverage, colours not divided by it). Code values are
-/// decoded with the sRGB curve, or with the file's own gAMA exponent where that is not 1/2.2 and no sRGB chunk stands
-/// beside it.
+/// decoded with the sRGB curve, with that of Rec. 709 where a cICP chunk says so, or with the file's own gAMA exponent where
+/// that is not 1/2.2 and no sRGB chunk stands beside it.
 [[nodiscard]] Result<Image> decodedPng(std::string_view bytes, const std::string& path);
 
-/// 8-bit RGB, marked as sRGB (chunks sRGB, gAMA, cHRM).
-[[nodiscard]] std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb);
+/// 8-bit or 16-bit RGB with the chunks that say how it is encoded: sRGB, gAMA and cHRM; for Rec. 709 cICP (ITU-T H.273:
+/// 1, 1, 0, full range), gAMA for who does not know it, and cHRM; for linear gAMA and cHRM.
+[[nodiscard]] std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb, const PngColor& = {});
+[[nodiscard]] std::string encodedPng(int width, int height, std::span<const std::uint16_t> rgb, const PngColor& = {});
 
 /// First part, any compression, half or float; R G B or Y alone; A -> coverage. The picture is the data window.
 [[nodiscard]] Result<Image> decodedExr(std::string_view bytes, const std::string& path);
 
-/// float R G B, and A where the image has coverage; ZIP compression (lossless).
+/// float R G B, and A where the image has coverage; ZIP compression (lossless); chromaticities of Rec. 709, white D65.
 [[nodiscard]] std::string encodedExr(const Image& image);
 
 /// PF (colour) and Pf (grey), both byte orders; values are multiplied by the absolute value of the file's scale.

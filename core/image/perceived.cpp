@@ -3,6 +3,7 @@
 #include "core/base/check.h"
 
 #include <algorithm>
+#include <future>
 #include <numeric>
 
 namespace reflectance {
@@ -25,14 +26,15 @@ double PerceivedReference::deltaEAt(std::size_t pixel, const Image& test) const
 PerceivedDifference PerceivedReference::to(const Image& test) const
 {
     CHECK_EQ(test.pixels(), colours_.size());
-    PerceivedDifference result;
-    result.flipMean = flip_.meanOf(test);
-    if (pixels_.empty())
-        return result;
+    std::future<double> flip = std::async(std::launch::async, [&] { return flip_.meanOf(test); }); // as long as the rest
     std::vector<double> errors;
     errors.reserve(pixels_.size());
     for (const std::size_t pixel : pixels_)
         errors.push_back(deltaEAt(pixel, test));
+    PerceivedDifference result;
+    result.flipMean = flip.get();
+    if (errors.empty())
+        return result;
     result.deltaEMean = std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
     result.deltaEMax = *std::max_element(errors.begin(), errors.end());
     // The smallest error that at least 95 % of the pixels do not exceed.

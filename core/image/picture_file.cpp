@@ -80,9 +80,16 @@ Result<void> writeLinear(const std::string& path, const Image& image)
     return writeAtomically(path, *format == PictureFormat::Exr ? encodedExr(image) : encodedPfm(image));
 }
 
-Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb)
+Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb,
+                      const PngColor& color)
 {
-    return writeAtomically(path, encodedPng(width, height, rgb));
+    return writeAtomically(path, encodedPng(width, height, rgb, color));
+}
+
+Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint16_t> rgb,
+                      const PngColor& color)
+{
+    return writeAtomically(path, encodedPng(width, height, rgb, color));
 }
 
 } // namespace reflectance

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/image/encoding.h"
 #include "core/image/image.h"
 
 #include <cstdint>
@@ -31,7 +32,10 @@ struct Picture {
 /// Writes linear values as .exr or .pfm, by the ending. A PFM has no place for coverage.
 [[nodiscard]] Result<void> writeLinear(const std::string& path, const Image& image);
 
-/// Writes 8-bit sRGB code values (3 per pixel, rows from the top) as PNG.
-[[nodiscard]] Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb);
+/// Writes code values (3 per pixel, rows from the top) as PNG of 8 or 16 bits.
+[[nodiscard]] Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb,
+                                    const PngColor& color = {});
+[[nodiscard]] Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint16_t> rgb,
+                                    const PngColor& color = {});
 
 } // namespace reflectance

@@ -4,6 +4,7 @@
 #include "core/image/dimensions.h"
 #include "core/math/srgb.h"
 
+#include <algorithm>
 #include <cmath>
 #include <csetjmp>
 #include <cstring>
@@ -14,6 +15,7 @@ namespace reflectance {
 namespace {
 
 struct PngReader {
+    static constexpr png_byte codePoints[] = {'c', 'I', 'C', 'P', 0};
     std::string_view rest;
     std::string problem;
     png_structp png = nullptr;
@@ -25,6 +27,7 @@ struct PngReader {
         info = png_create_info_struct(png);
         png_set_read_fn(png, this, take);
         png_set_user_limits(png, largestSide, largestSide);
+        png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, codePoints, 1);
     }
     PngReader(const PngReader&) = delete;
     PngReader& operator=(const PngReader&) = delete;
@@ -81,9 +84,22 @@ template <class Decode> DecodingTable tableOf(Decode decode)
     return table;
 }
 
-DecodingTable decodingTable(png_const_structp png, png_const_infop info)
+/// Whether a cICP chunk (ITU-T H.273) names the curve of Rec. 709 in full range.
+bool saysRec709(png_const_structp png, png_infop info)
+{
+    png_unknown_chunkp chunks = nullptr;
+    const int count = png_get_unknown_chunks(png, info, &chunks);
+    return std::any_of(chunks, chunks + count, [](const png_unknown_chunk& chunk) {
+        return std::memcmp(chunk.name, PngReader::codePoints, 4) == 0 && chunk.size == 4 && chunk.data[1] == 1 &&
+               chunk.data[3] == 1;
+    });
+}
+
+DecodingTable decodingTable(png_const_structp png, png_infop info)
 {
     static const DecodingTable srgb = tableOf(decodeSrgb);
+    if (saysRec709(png, info))
+        return tableOf(decodeRec709);
     double gamma = 0.0;
     const bool own = png_get_valid(png, info, PNG_INFO_sRGB) == 0 && png_get_gAMA(png, info, &gamma) != 0 &&
                      gamma > 0.0 && std::fabs(gamma - 1.0 / 2.2) > 1e-3;

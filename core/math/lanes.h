@@ -3,6 +3,7 @@
 
 #include "core/math/vec.h"
 
+#include <cstdint>
 #include <limits>
 #include <xsimd/xsimd.hpp>
 
@@ -17,6 +18,24 @@ template <class S, class A>
 {
     const xsimd::batch<S, A> zero(S(0));
     return xsimd::select(condition > zero, value, zero);
+}
+
+/// A number that every lane shares: see counting.h.
+template <class S, class A> [[nodiscard]] S sharedNumber(const xsimd::batch<S, A>& n)
+{
+    alignas(64) S lanes[xsimd::batch<S, A>::size];
+    n.store_aligned(lanes);
+    return lanes[0];
+}
+
+/// Between two entries of a table in a straight line: see lobe_table.h.
+template <class A>
+[[nodiscard]] xsimd::batch<float, A> between(const float* values, const xsimd::batch<float, A>& place)
+{
+    using B = xsimd::batch<float, A>;
+    const xsimd::batch<std::int32_t, A> first = xsimd::to_int(place);
+    const B share = place - xsimd::to_float(first);
+    return B::gather(values, first) * (B(1.0F) - share) + B::gather(values + 1, first) * share;
 }
 
 /// asin(x) for 0 <= x <= sqrt(1/2): x (1 + t Q(t)), t = x^2, with Q the polynomial that meets (asin(x) / x - 1) / t at

@@ -12,8 +12,18 @@
 namespace reflectance {
 namespace {
 
+/// `at` counts the models that call the lobe.
+std::vector<Kernels> kernelsOfOtherLobes(std::size_t at)
+{
+    std::vector<Kernels> all;
+    for (const LobeFormFacts& facts : lobeForms().subspan(1))
+        all.push_back({doubleKernels(facts.form)[at], floatKernels(facts.form)[at], lanesKernels(facts.form)[at]});
+    return all;
+}
+
 std::vector<Model> readCatalogue()
 {
+    std::size_t withLobe = 0;
     std::vector<ModelText> texts;
     std::vector<Model> models;
     for (const std::string_view line : split(embeddedText("reflectance/models.txt"), '\n')) {
@@ -26,7 +36,9 @@ std::vector<Model> readCatalogue()
         }
         const std::size_t i = models.size();
         texts.push_back(*text);
-        models.push_back({*std::move(text), doubleKernels()[i], floatKernels()[i], lanesKernels()[i]});
+        models.push_back({{doubleKernels()[i], floatKernels()[i], lanesKernels()[i]}, *std::move(text), {}});
+        if (models.back().text.usesLobe)
+            models.back().otherLobes = kernelsOfOtherLobes(withLobe++);
     }
     return models;
 }
@@ -89,6 +101,11 @@ std::vector<double> spread(const Parameter& parameter, std::span<const double> n
 }
 
 } // namespace
+
+const Kernels& Model::with(LobeForm form) const
+{
+    return form == LobeForm::Conditioned || otherLobes.empty() ? *this : otherLobes[static_cast<std::size_t>(form) - 1];
+}
 
 const std::vector<Model>& catalogue()
 {

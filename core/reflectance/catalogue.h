@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/reflectance/kernel.h"
+#include "core/reflectance/lobe_form.h"
 #include "core/reflectance/model_text.h"
 
 #include <map>
@@ -12,12 +13,19 @@
 
 namespace reflectance {
 
-struct Model {
+struct Kernels {
+    Kernel<double> exact; ///< double: the truth
+    Kernel<float> single; ///< scalar float
+    Kernel<float> lanes;  ///< float in the widest lanes of this processor
+};
+
+struct Model : Kernels {
     ModelText text;
-    Kernel<double> exact;                    ///< double: the truth
-    Kernel<float> single;                    ///< scalar float
-    Kernel<float> lanes;                     ///< float in the widest lanes of this processor
+    std::vector<Kernels> otherLobes; ///< with the other forms of the lobe, in their order; empty where it calls none
     std::shared_ptr<const void> walked = {}; ///< of an own model: keeps alive what its kernels walk; null: compiled
+
+    /// The model's own kernels where it has no lobe.
+    [[nodiscard]] const Kernels& with(LobeForm form) const;
 
     [[nodiscard]] const std::string& id() const { return text.id; }
 };

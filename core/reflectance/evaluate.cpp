@@ -81,13 +81,15 @@ std::vector<Vec3d> evaluateWith(const Kernel<T>& kernel, std::span<const double>
 } // namespace
 
 std::vector<Vec3d> evaluate(const Model& model, std::span<const double> values, std::span<const Observation> rows,
-                            Precision precision, const MeasuredSurfaces& measured)
+                            const Arithmetic& arithmetic, const MeasuredSurfaces& measured)
 {
     CHECK_EQ(values.size(), model.text.valueCount());
-    CHECK_LT(static_cast<int>(precision), static_cast<int>(Precision::Glsl));
-    if (precision == Precision::Double)
-        return evaluateWith(model.exact, values, rows, measured.exact);
-    return evaluateWith(precision == Precision::Float ? model.single : model.lanes, values, rows, measured.single);
+    CHECK_LT(static_cast<int>(arithmetic.precision), static_cast<int>(Precision::Glsl));
+    const Kernels& kernels = model.with(arithmetic.lobe);
+    if (arithmetic.precision == Precision::Double)
+        return evaluateWith(kernels.exact, values, rows, measured.exact);
+    return evaluateWith(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes, values, rows,
+                        measured.single);
 }
 
 } // namespace reflectance

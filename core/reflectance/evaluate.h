@@ -1,9 +1,9 @@
 // A model at given directions, one row at a time or many: what `eval` prints and every test of a model asks.
 #pragma once
 
+#include "core/reflectance/arithmetic.h"
 #include "core/reflectance/catalogue.h"
 #include "core/reflectance/observation.h"
-#include "core/reflectance/precision.h"
 
 #include <span>
 #include <vector>
@@ -14,7 +14,7 @@ namespace reflectance {
 /// N, L and V are normalised in double and rounded once, then everything runs in the given precision (not Glsl, which
 /// belongs to the GL renderer). `measured` serves a model that looks a table up. A row whose N, L or V has no direction is black.
 [[nodiscard]] std::vector<Vec3d> evaluate(const Model& model, std::span<const double> values,
-                                          std::span<const Observation> rows, Precision precision,
+                                          std::span<const Observation> rows, const Arithmetic& arithmetic,
                                           const MeasuredSurfaces& measured = {});
 
 } // namespace reflectance

@@ -8,6 +8,11 @@
 
 namespace reflectance {
 
+/// The part of a model's frame that gives it its lobe; the other forms stand in lobe_kernels.h.
+template <class T> struct ConditionedLobe {
+    [[nodiscard]] static T lobe(const Vec3<T>& R, const Vec3<T>& V, const T& n) { return reflectance::lobe(R, V, n); }
+};
+
 template <class T> struct Frame {
     T lightDisc{};                  ///< (2 sin(a/2))^2 for the light's angular radius a; 0 for a light without extent
     Surroundings<T> surroundings{}; ///< what a mirror sees

@@ -99,9 +99,9 @@ Vec3<B> measuredLaneByLane(const void* data, const Vec3<B>& N, const Vec3<B>& L,
     return {B::load_aligned(lanes[0]), B::load_aligned(lanes[1]), B::load_aligned(lanes[2])};
 }
 
-template <template <class> class Model, class B> void shadeInLanes(const double* values, const ShadeBatch<float>& batch)
+template <class Model, class B> void shadeInLanes(const double* values, const ShadeBatch<float>& batch)
 {
-    Model<B> model(values);
+    Model model(values);
     model.measured = {measuredLaneByLane<B>, &batch.measured};
     std::size_t i = 0;
     for (; i + B::size <= batch.count; i += B::size) {
@@ -122,10 +122,9 @@ template <template <class> class Model, class B> void shadeInLanes(const double*
     }
 }
 
-template <template <class> class Model, class B>
-void environmentInLanes(const double* values, const EnvironmentBatch<float>& batch)
+template <class Model, class B> void environmentInLanes(const double* values, const EnvironmentBatch<float>& batch)
 {
-    Model<B> model(values);
+    Model model(values);
     model.surroundings = {surroundingsLaneByLane<B>, &batch.surroundings};
     std::size_t i = 0;
     for (; i + B::size <= batch.count; i += B::size)
@@ -138,7 +137,7 @@ void environmentInLanes(const double* values, const EnvironmentBatch<float>& bat
     }
 }
 
-template <template <class> class Model, class B> constexpr Kernel<float> lanesKernel()
+template <class Model, class B> constexpr Kernel<float> lanesKernel()
 {
     if constexpr (seesEnvironment<Model, B>)
         return {shadeInLanes<Model, B>, environmentInLanes<Model, B>};

@@ -7,8 +7,10 @@
 
 namespace reflectance {
 
-template <template <class> class Model, class T>
-constexpr bool seesEnvironment = requires(Model<T>& model, const Vec3<T>& v) { model.shadeEnvironment(v, v); };
+template <class Model, class T> constexpr bool seesEnvironment = requires(Model& model, const Vec3<T>& v)
+{
+    model.shadeEnvironment(v, v);
+};
 
 template <class T> void add(const Vec3Array<T>& sum, std::size_t i, const Vec3<T>& value)
 {
@@ -17,9 +19,9 @@ template <class T> void add(const Vec3Array<T>& sum, std::size_t i, const Vec3<T
     sum.z[i] += value.z;
 }
 
-template <template <class> class Model, class T> void shadeOneByOne(const double* values, const ShadeBatch<T>& batch)
+template <class Model, class T> void shadeOneByOne(const double* values, const ShadeBatch<T>& batch)
 {
-    Model<T> model(values);
+    Model model(values);
     model.measured = batch.measured;
     for (std::size_t i = 0; i < batch.count; ++i) {
         model.lightDisc = batch.lightDisc[i];
@@ -27,16 +29,15 @@ template <template <class> class Model, class T> void shadeOneByOne(const double
     }
 }
 
-template <template <class> class Model, class T>
-void environmentOneByOne(const double* values, const EnvironmentBatch<T>& batch)
+template <class Model, class T> void environmentOneByOne(const double* values, const EnvironmentBatch<T>& batch)
 {
-    Model<T> model(values);
+    Model model(values);
     model.surroundings = batch.surroundings;
     for (std::size_t i = 0; i < batch.count; ++i)
         add(batch.sum, i, model.shadeEnvironment(batch.N[i], batch.V[i]));
 }
 
-template <template <class> class Model, class T> constexpr Kernel<T> scalarKernel()
+template <class Model, class T> constexpr Kernel<T> scalarKernel()
 {
     if constexpr (seesEnvironment<Model, T>)
         return {shadeOneByOne<Model, T>, environmentOneByOne<Model, T>};

@@ -2,17 +2,37 @@
 #include "core/reflectance/kernel_lanes.h"
 
 #include "core/reflectance/kernel_tables.h"
+#include "core/reflectance/lobe_kernels.h"
 #include "models.gen.h"
 
 namespace reflectance {
+namespace {
+
+using Lanes = xsimd::batch<float, xsimd::fma3<xsimd::avx2>>;
+
+#define KERNEL(model) lanesKernel<models::model<Lanes>, Lanes>(),
+constexpr Kernel<float> kernels[] = {REFLECTANCE_FOR_EACH_MODEL(KERNEL)};
+#undef KERNEL
+
+#define KERNEL(model) lanesKernel<models::model<Lanes, Lobe>, Lanes>(),
+template <template <class> class Lobe>
+constexpr Kernel<float> kernelsWith[] = {REFLECTANCE_FOR_EACH_MODEL_WITH_LOBE(KERNEL)};
+#undef KERNEL
+
+#define FORM(Lobe) kernelsWith<Lobe>,
+constexpr const Kernel<float>* otherForms[] = {REFLECTANCE_FOR_EACH_OTHER_LOBE(FORM)};
+#undef FORM
+
+} // namespace
 
 const Kernel<float>* lanesKernelsAvx2()
 {
-    using Lanes = xsimd::batch<float, xsimd::fma3<xsimd::avx2>>;
-#define KERNEL(model) lanesKernel<models::model, Lanes>(),
-    static constexpr Kernel<float> kernels[] = {REFLECTANCE_FOR_EACH_MODEL(KERNEL)};
-#undef KERNEL
     return kernels;
+}
+
+const Kernel<float>* lanesKernelsAvx2(LobeForm form)
+{
+    return otherForms[otherLobe(form)];
 }
 
 } // namespace reflectance

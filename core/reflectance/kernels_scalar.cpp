@@ -1,6 +1,7 @@
 // The models in double (the truth) and in scalar float, and the choice of SIMD lanes for this processor.
 #include "core/reflectance/kernel_loops.h"
 #include "core/reflectance/kernel_tables.h"
+#include "core/reflectance/lobe_kernels.h"
 #include "models.gen.h"
 
 namespace reflectance {
@@ -12,29 +13,49 @@ bool hasAvx2()
     return has;
 }
 
-} // namespace
+#define KERNEL(model) scalarKernel<models::model<T>, T>(),
+template <class T> constexpr Kernel<T> kernels[] = {REFLECTANCE_FOR_EACH_MODEL(KERNEL)};
+#undef KERNEL
 
-#define KERNEL(model) scalarKernel<models::model, Number>(),
+#define KERNEL(model) scalarKernel<models::model<T, Lobe>, T>(),
+template <class T, template <class> class Lobe>
+constexpr Kernel<T> kernelsWith[] = {REFLECTANCE_FOR_EACH_MODEL_WITH_LOBE(KERNEL)};
+#undef KERNEL
+
+#define FORM(Lobe) kernelsWith<T, Lobe>,
+template <class T> constexpr const Kernel<T>* otherForms[] = {REFLECTANCE_FOR_EACH_OTHER_LOBE(FORM)};
+#undef FORM
+
+} // namespace
 
 const Kernel<double>* doubleKernels()
 {
-    using Number = double;
-    static constexpr Kernel<double> kernels[] = {REFLECTANCE_FOR_EACH_MODEL(KERNEL)};
-    return kernels;
+    return kernels<double>;
 }
 
 const Kernel<float>* floatKernels()
 {
-    using Number = float;
-    static constexpr Kernel<float> kernels[] = {REFLECTANCE_FOR_EACH_MODEL(KERNEL)};
-    return kernels;
+    return kernels<float>;
 }
 
-#undef KERNEL
+const Kernel<double>* doubleKernels(LobeForm form)
+{
+    return otherForms<double>[otherLobe(form)];
+}
+
+const Kernel<float>* floatKernels(LobeForm form)
+{
+    return otherForms<float>[otherLobe(form)];
+}
 
 const Kernel<float>* lanesKernels()
 {
     return hasAvx2() ? lanesKernelsAvx2() : lanesKernelsSse2();
+}
+
+const Kernel<float>* lanesKernels(LobeForm form)
+{
+    return hasAvx2() ? lanesKernelsAvx2(form) : lanesKernelsSse2(form);
 }
 
 const char* lanesName()

@@ -57,6 +57,7 @@ public:
         if (openUniform_)
             return Error{"uniform declaration without ';'", model_.file, line_};
         model_.usesEnvironment = model_.code.find("vec3 shadeEnvironment(") != std::string::npos;
+        model_.usesLobe = model_.code.find("lobe(") != std::string::npos;
         model_.usesTable = model_.code.find("tableAt(") != std::string::npos;
         model_.usesLightSize = model_.code.find("insideLight(") != std::string::npos;
         if (model_.code.find("vec3 shade(") == std::string::npos)

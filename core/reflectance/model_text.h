@@ -39,6 +39,7 @@ struct ModelText {
     std::vector<Parameter> parameters;
     bool usesEnvironment = false; ///< defines shadeEnvironment(N, V)
     bool usesLightSize = false;   ///< calls insideLight(R, V)
+    bool usesLobe = false;        ///< calls lobe(R, V, n), n its parameter
     bool usesTable = false;       ///< calls tableAt(N, L, V, I): needs a measurement, its parameter `file`
     std::string code;             ///< the GLSL text without uniform declarations, line numbers kept
 

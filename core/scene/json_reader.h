@@ -2,6 +2,7 @@
 // problems too. Internal to scene files.
 #pragma once
 
+#include "core/base/named_value.h"
 #include "core/math/vec.h"
 
 #include <array>
@@ -16,12 +17,6 @@
 #include <vector>
 
 namespace reflectance {
-
-/// One word of a choice, as files spell it.
-template <class T> struct NamedValue {
-    std::string_view name;
-    T value;
-};
 
 class ObjectReader {
 public:
@@ -76,10 +71,7 @@ template <class T> void ObjectReader::readList(const char* key, std::vector<T>& 
 template <class T, std::size_t count>
 void ObjectReader::readNamed(const char* key, const NamedValue<T> (&names)[count], T& value)
 {
-    std::vector<std::string> all;
-    for (const NamedValue<T>& named : names)
-        all.emplace_back(named.name);
-    const std::string chosen = chosenName(key, all);
+    const std::string chosen = chosenName(key, namesIn(names));
     for (const NamedValue<T>& named : names)
         if (named.name == chosen)
             value = named.value;

@@ -26,7 +26,7 @@ bool anyLight(const Scene& scene, LightKind kind)
 std::string Requirements::key() const
 {
     std::string text = own ? own->text.file + own->text.code : model;
-    const auto append = [&text](bool required, const char* name) {
+    const auto append = [&text](bool required, std::string_view name) {
         if (required)
             text.append("+").append(name);
     };
@@ -37,6 +37,7 @@ std::string Requirements::key() const
     append(environmentMap, "map");
     append(table, "table");
     append(holes, "holes");
+    append(lobe != LobeForm::Conditioned, factsOf(lobe).name);
     return text;
 }
 
@@ -45,7 +46,7 @@ const Model& Requirements::modelUsed() const
     return own ? *own : **findModel(model);
 }
 
-Requirements requirementsOf(const Scene& scene)
+Requirements requirementsOf(const Scene& scene, LobeForm lobe)
 {
     const Model& model = modelOf(scene);
     Requirements r;
@@ -58,6 +59,7 @@ Requirements requirementsOf(const Scene& scene)
     r.environmentBackground = scene.background.kind == BackgroundKind::Environment && !isBlack(scene.environment);
     r.environmentMap = (r.environment || r.environmentBackground) && scene.environment.kind == EnvironmentKind::Map;
     r.table = model.text.usesTable && scene.surface.table != nullptr;
+    r.lobe = model.text.usesLobe ? lobe : LobeForm::Conditioned;
     r.holes = r.table && scene.surface.showHoles;
     return r;
 }

@@ -1,6 +1,7 @@
 // What a scene requires of a renderer, and what it does not: model only what the scene requires.
 #pragma once
 
+#include "core/reflectance/lobe_form.h"
 #include "core/scene/scene.h"
 
 #include <string>
@@ -17,8 +18,9 @@ struct Requirements {
     bool environment = false;    ///< the model looks at it and it is not black
     bool environmentMap = false; ///< the environment (seen by the model or as background) is a picture
     bool environmentBackground = false;
-    bool table = false; ///< the model looks one up, and there is one
-    bool holes = false; ///< of the table, to be shown
+    bool table = false;                    ///< the model looks one up, and there is one
+    bool holes = false;                    ///< of the table, to be shown
+    LobeForm lobe = LobeForm::Conditioned; ///< conditioned for a model that calls none
 
     friend bool operator==(const Requirements&, const Requirements&) = default;
 
@@ -27,7 +29,7 @@ struct Requirements {
     [[nodiscard]] const Model& modelUsed() const;
 };
 
-[[nodiscard]] Requirements requirementsOf(const Scene& scene);
+[[nodiscard]] Requirements requirementsOf(const Scene& scene, LobeForm lobe = LobeForm::Conditioned);
 
 /// Sentences on what the picture leaves out and why: "environment: hybrid ignores it", "light 'key' has no extent, so
 /// a mirror shows nothing of it".

@@ -6,6 +6,7 @@
 #include "core/reflectance/lists.h"
 #include "core/scene/json_reader.h"
 #include "core/scene/library_surface.h"
+#include "core/scene/sensor_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -26,14 +27,6 @@ constexpr NamedValue<BackgroundKind> backgroundKinds[] = {{"plain", BackgroundKi
                                                           {"environment", BackgroundKind::Environment}};
 
 constexpr NamedValue<Convention> conventions[] = {{"sensor", Convention::Sensor}, {"primary", Convention::Primary}};
-
-template <class T, std::size_t count> std::string nameOf(const NamedValue<T> (&names)[count], T value)
-{
-    for (const NamedValue<T>& named : names)
-        if (named.value == value)
-            return std::string(named.name);
-    return {};
-}
 
 Json array(const Vec3d& v)
 {
@@ -246,8 +239,7 @@ void readScene(ObjectReader object, Scene& scene, const std::string& folder)
     object.readObject("surface", [&](ObjectReader part) { readSurface(part, scene.surface, folder); });
     object.readObject("compare", [&](ObjectReader part) { readSurface(part, scene.other.emplace(), folder); });
     object.readObject("sensor", [&](ObjectReader part) {
-        part.read("exposure", scene.sensor.exposure, -16.0, 16.0);
-        part.finish();
+        readSensor(part, scene.sensor, [&](const std::string& path) { return resolvedIn(folder, path); });
     });
     object.finish();
 }
@@ -266,20 +258,21 @@ std::string sceneText(const Scene& scene, const std::string& folder)
     Json lights = Json::array();
     for (const Light& light : scene.lights)
         lights.push_back(written(light));
-    Json json{{"reflectance_scene", sceneFormatVersion},
-              {"mesh", isStockMesh(scene.meshFile) ? scene.meshFile : relativeTo(folder, scene.meshFile)},
-              {"smooth_normals", scene.recomputeNormals},
-              {"camera",
-               {{"eye", array(scene.camera.eye)},
-                {"target", array(scene.camera.target)},
-                {"up", array(scene.camera.up)},
-                {"field_of_view", scene.camera.fieldOfView}}},
-              {"lights", lights},
-              {"environment", written(scene.environment, folder)},
-              {"background",
-               {{"kind", nameOf(backgroundKinds, scene.background.kind)}, {"color", array(scene.background.color)}}},
-              {"surface", written(scene.surface, folder)},
-              {"sensor", {{"exposure", scene.sensor.exposure}}}};
+    Json json{
+        {"reflectance_scene", sceneFormatVersion},
+        {"mesh", isStockMesh(scene.meshFile) ? scene.meshFile : relativeTo(folder, scene.meshFile)},
+        {"smooth_normals", scene.recomputeNormals},
+        {"camera",
+         {{"eye", array(scene.camera.eye)},
+          {"target", array(scene.camera.target)},
+          {"up", array(scene.camera.up)},
+          {"field_of_view", scene.camera.fieldOfView}}},
+        {"lights", lights},
+        {"environment", written(scene.environment, folder)},
+        {"background",
+         {{"kind", nameOf(backgroundKinds, scene.background.kind)}, {"color", array(scene.background.color)}}},
+        {"surface", written(scene.surface, folder)},
+        {"sensor", writtenSensor(scene.sensor, [&](const std::string& path) { return relativeTo(folder, path); })}};
     if (scene.other)
         json["compare"] = written(*scene.other, folder);
     // File names need not be UTF-8. Here what is not is replaced; saveScene refuses it.
@@ -319,7 +312,8 @@ Result<Scene> loadScene(const std::string& path)
 Result<void> saveScene(const Scene& scene, const std::string& path)
 {
     for (const std::string& file :
-         {scene.meshFile, scene.environment.file, scene.surface.tableFile, scene.surface.modelFile})
+         {scene.meshFile, scene.environment.file, scene.surface.tableFile, scene.surface.modelFile,
+          scene.sensor.response.file})
         if (!isUtf8(file))
             return Error{"a scene file cannot name this file, since its name is not UTF-8; rename it", file};
     return writeAtomically(path, sceneText(scene, fs::path(path).parent_path().string()));

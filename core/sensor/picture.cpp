@@ -4,15 +4,27 @@
 
 namespace reflectance {
 
+PngColor pngColorOf(const Sensor& sensor)
+{
+    PngColor color{sensor.encoding.on ? sensor.encoding.kind : EncodingKind::Linear, 1.0};
+    if (sensor.response.on && sensor.response.kind == ResponseKind::Gamma)
+        color.gamma = sensor.response.gamma;
+    return color;
+}
+
 Result<SensorCounts> savePicture(const std::string& path, const Image& image, const Sensor& sensor)
 {
     const auto format = outputFormat(path);
     if (!format)
         return format.error();
     const Developed developed = develop(image, sensor);
-    const auto written = *format == PictureFormat::Png
-                             ? writePng(path, developed.width, developed.height, developed.rgb)
-                             : writeLinear(path, image);
+    const auto written = [&] {
+        if (*format != PictureFormat::Png)
+            return writeLinear(path, image);
+        const PngColor color = pngColorOf(sensor);
+        return isDeep(sensor) ? writePng(path, developed.width, developed.height, developed.deep, color)
+                              : writePng(path, developed.width, developed.height, developed.rgb, color);
+    }();
     if (!written)
         return written.error();
     return developed.counts;

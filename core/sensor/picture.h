@@ -8,7 +8,12 @@
 
 namespace reflectance {
 
-/// Writes the picture by the name's ending and says what the sensor could not show.
+/// Writes the picture by the name's ending and says what the sensor could not show. A PNG has 16 bits where the sensor has
+/// more than 8, and says how it is encoded; a measured or gamma response beside sRGB or Rec. 709 belongs to the picture, not to
+/// its encoding.
 [[nodiscard]] Result<SensorCounts> savePicture(const std::string& path, const Image& image, const Sensor& sensor);
+
+/// What a PNG has to say of the sensor's codes.
+[[nodiscard]] PngColor pngColorOf(const Sensor& sensor);
 
 } // namespace reflectance

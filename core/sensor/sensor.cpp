@@ -1,6 +1,6 @@
 #include "core/sensor/sensor.h"
 
-#include "sensor_texts.gen.h"
+#include "core/sensor/develop_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,32 +8,81 @@
 namespace reflectance {
 namespace {
 
-void count(SensorCounts& counts, const float* rgb, double gain)
+Vec3d radianceAt(const Image& image, int x, int y)
+{
+    const float* rgb = image.at(x, y);
+    return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
+}
+
+void count(SensorCounts& counts, const float* rgb, bool clipped)
 {
     const auto any = [rgb](auto holds) { return std::any_of(rgb, rgb + 3, holds); };
     counts.negative += any([](float c) { return c < 0.0F; });
-    counts.clipped += any([gain](float c) { return gain * double{c} > 1.0; });
+    counts.clipped += clipped;
     counts.nonFinite += any([](float c) { return !std::isfinite(c); });
+}
+
+std::uint16_t quantisedDeep(double encoded)
+{
+    if (!(encoded > 0.0))
+        return 0;
+    return static_cast<std::uint16_t>(std::floor(65535.0 * std::min(encoded, 1.0) + 0.5));
 }
 
 } // namespace
 
+double gainOf(const Sensor& sensor)
+{
+    const double gain = sensor.exposes ? std::exp2(sensor.exposure) : 1.0;
+    const CameraExposure& camera = sensor.camera;
+    if (!camera.on)
+        return gain;
+    return gain * camera.white * camera.shutter * camera.iso / (120.0 * camera.aperture * camera.aperture);
+}
+
+double electronsAtWhite(const Sensor& sensor)
+{
+    return sensor.camera.on ? sensor.noise.fullWell * 100.0 / sensor.camera.iso : sensor.noise.fullWell;
+}
+
+bool isDeep(const Sensor& sensor)
+{
+    return !sensor.quantisation.on || sensor.quantisation.bits > 8;
+}
+
 Developed develop(const Image& image, const Sensor& sensor)
 {
-    texts::Develop<double> text;
-    text.exposure = sensor.exposure;
-    const double gain = std::exp2(sensor.exposure);
-    Developed picture{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size()), {}};
-    std::transform(image.rgb.begin(), image.rgb.end(), picture.rgb.begin(),
-                   [&text](float radiance) { return quantised(text.developChannel(double{radiance})); });
-    for (std::size_t i = 0; i < image.pixels(); ++i)
-        count(picture.counts, &image.rgb[3 * i], gain);
+    DevelopText text = developText(sensor);
+    const bool deep = isDeep(sensor);
+    Developed picture{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size()), {}, {}};
+    picture.deep.resize(deep ? image.rgb.size() : 0);
+    std::size_t at = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Vec3d radiance = radianceAt(image, x, y);
+            const Vec3d arrived = text.arriving(radiance, x, y, image.width, image.height);
+            const Vec3d linear = text.linearOf(arrived);
+            const bool clipped = text.isClipped(arrived, linear);
+            count(picture.counts, &image.rgb[at], clipped);
+            const Vec3d code = text.finished(radiance, linear, clipped, x, y);
+            for (const double channel : {code.x, code.y, code.z}) {
+                picture.rgb[at] = quantised(channel);
+                if (deep)
+                    picture.deep[at] = quantisedDeep(channel);
+                ++at;
+            }
+        }
     return picture;
+}
+
+Vec3d developedAt(const Image& image, int x, int y, const Sensor& sensor)
+{
+    return developText(sensor).develop(radianceAt(image, x, y), x, y, image.width, image.height);
 }
 
 double encodeSrgb(double linear)
 {
-    return texts::Develop<double>().encodeSrgb(linear);
+    return DevelopText{}.encodeSrgb(linear);
 }
 
 std::uint8_t quantised(double encoded)

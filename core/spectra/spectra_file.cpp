@@ -1,5 +1,6 @@
 #include "core/spectra/spectra_file.h"
 
+#include "core/base/columns.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 
@@ -14,29 +15,14 @@ struct Line {
     std::vector<std::string_view> fields;
 };
 
-std::vector<std::string_view> fieldsOf(std::string_view line)
-{
-    for (const char separator : {',', ';', '\t'}) {
-        if (line.find(separator) == std::string_view::npos)
-            continue;
-        auto fields = split(line, separator);
-        for (std::string_view& field : fields)
-            field = trimmed(field);
-        return fields;
-    }
-    return words(line);
-}
-
 std::vector<Line> linesOf(std::string_view csv)
 {
-    if (csv.starts_with("\xEF\xBB\xBF"))
-        csv.remove_prefix(3);
     std::vector<Line> lines;
     long number = 0;
-    for (const std::string_view text : split(csv, '\n')) {
+    for (const std::string_view text : split(withoutMark(csv), '\n')) {
         ++number;
         if (const auto line = trimmed(text); !line.empty() && !line.starts_with('#'))
-            lines.push_back({number, fieldsOf(line)});
+            lines.push_back({number, columnsOf(line)});
     }
     return lines;
 }

@@ -2,30 +2,14 @@
 
 #include "core/reflectance/kernel_tables.h"
 #include "core/render/cpu/cpu_renderer.h"
+#include "core/study/cost/timing.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace reflectance {
 namespace {
-
-/// Milliseconds of the work: the median of the repetitions, after one that warms caches and threads up.
-double medianMilliseconds(int repetitions, const std::function<void()>& work)
-{
-    using Clock = std::chrono::steady_clock;
-    work();
-    std::vector<double> times;
-    for (int i = 0; i < std::max(1, repetitions); ++i) {
-        const auto start = Clock::now();
-        work();
-        times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-    }
-    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-    return times[times.size() / 2];
-}
 
 /// Fills in the error figures. A channel that is not finite in the picture alone is infinitely wrong.
 void holdAgainst(const Image& truth, const Image& image, PriceTag& tag)
@@ -61,7 +45,7 @@ void measureCpu(const Scene& scene, const RenderSettings& settings, int repetiti
         PriceTag& tag = tags.emplace_back();
         tag.name =
             precision == Precision::Simd ? std::string("simd (") + lanesName() + ")" : std::string(nameOf(precision));
-        tag.milliseconds = medianMilliseconds(repetitions, [&] { image = shadeSamples(samples, scene, precision); });
+        tag.milliseconds = timed(repetitions, [&] { image = shadeSamples(samples, scene, precision); }).median;
         if (precision == Precision::Double)
             truth = std::move(image);
         else
@@ -76,13 +60,14 @@ void measureGl(const Scene& scene, const RenderSettings& settings, GlRenderer& g
         return; // what GL cannot draw has no price; whoever shows the picture reports why
     PriceTag tag;
     tag.name = "gl";
-    tag.milliseconds = medianMilliseconds(repetitions, [&] {
+    const Timing timing = timed(repetitions, [&] {
         gl.finish();
         gl.invalidateShading();
         // The same scene has just been drawn.
         static_cast<void>(gl.render(scene, settings));
         gl.finish();
     });
+    tag.milliseconds = timing.median;
     const Image image = gl.readLinear();
     holdAgainst(shadeSamples(gl.readSamples(), scene, Precision::Double), image, tag);
     tags.push_back(std::move(tag));

@@ -6,6 +6,8 @@ layout(location = 0) out vec4 code;
 
 void main()
 {
-    vec3 encoded = develop(texelFetch(linearPicture, ivec2(gl_FragCoord.xy), 0).xyz);
-    code = vec4(floor(255.0 * encoded + 0.5) / 255.0, 1.0);
+    ivec2 size = textureSize(linearPicture, 0);
+    ivec2 place = ivec2(gl_FragCoord.xy);
+    vec3 developed = develop(texelFetch(linearPicture, place, 0).xyz, place.x, size.y - 1 - place.y, size.x, size.y);
+    code = vec4(floor(255.0 * developed + 0.5) / 255.0, 1.0);
 }

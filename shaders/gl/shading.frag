@@ -40,6 +40,22 @@ vec3 backgroundAt(ivec2 texel)
 #endif
 }
 
+#ifdef ONCE_PER_PIXEL
+// The middle one of the pixel's covered samples stands for all of them; from the top row, as the CPU renderer counts.
+vec3 shadeMiddle(ivec2 first, int hits)
+{
+    int before = hits / 2;
+    for (int j = samplesPerAxis - 1; j >= 0; --j)
+        for (int i = 0; i < samplesPerAxis; ++i) {
+            ivec2 texel = first + ivec2(i, j);
+            vec4 normalAndHit = texelFetch(normals, texel, 0);
+            if (normalAndHit.w > 0.0 && before-- == 0)
+                return shadeSample(normalAndHit.xyz, texelFetch(positions, texel, 0).xyz);
+        }
+    return vec3(0.0);
+}
+#endif
+
 void main()
 {
     ivec2 first = ivec2(gl_FragCoord.xy) * samplesPerAxis;
@@ -50,12 +66,18 @@ void main()
             ivec2 texel = first + ivec2(i, j);
             vec4 normalAndHit = texelFetch(normals, texel, 0);
             if (normalAndHit.w > 0.0) {
+#ifndef ONCE_PER_PIXEL
                 sum += shadeSample(normalAndHit.xyz, texelFetch(positions, texel, 0).xyz);
+#endif
                 hits += 1.0;
             } else {
                 sum += backgroundAt(texel);
             }
         }
+#ifdef ONCE_PER_PIXEL
+    if (hits > 0.0)
+        sum += hits * shadeMiddle(first, int(hits));
+#endif
     float samples = float(samplesPerAxis * samplesPerAxis);
     radianceAndCoverage = vec4(sum / samples, hits / samples);
 }

@@ -109,7 +109,9 @@ std::string brokenPromise(const Scene& scene)
     const Camera& camera = scene.camera;
     if (!isFinite(camera.eye) || !isFinite(camera.target) || !isFinite(camera.up))
         return "a camera that is nowhere";
-    return std::isfinite(scene.sensor.exposure) ? "" : "an exposure that is not finite";
+    if (scene.sensor.response.on && scene.sensor.response.kind == ResponseKind::Curve && !scene.sensor.response.curve)
+        return "a response curve without its curve";
+    return std::isfinite(gainOf(scene.sensor)) ? "" : "an exposure that is not finite";
 }
 
 std::string brokenPromise(const cli::EvalRows& rows)

@@ -3,11 +3,13 @@
 #include "core/image/picture_file.h"
 #include "core/reflectance/own_model.h"
 #include "core/scene/scene_file.h"
+#include "tests/fuzz/curve_readers.h"
 #include "tests/fuzz/promises.h"
 #include "tests/fuzz/seeds.h"
 #include "tests/fuzz/table_readers.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace reflectance::fuzz {
 namespace {
@@ -63,8 +65,9 @@ const std::vector<Reader>& readers()
                                     {"exr", readPicture, exrSeeds()},        {"pfm", readPicture, pfmSeeds()},
                                     {"hdr", readPicture, hdrSeeds()},        {"rows", readRows, rowSeeds()},
                                     {"model", readModel, modelSeeds()}};
-        for (Reader& reader : tables)
-            readers.push_back(std::move(reader));
+        std::vector<Reader> curves = curveReaders();
+        for (std::vector<Reader>* more : {&tables, &curves})
+            readers.insert(readers.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
         return readers;
     }();
     return all;

@@ -24,8 +24,11 @@ std::vector<std::string> sceneSeeds()
     full.environment.kind = EnvironmentKind::Constant;
     full.surface.values["n"] = {1e7};
     full.surface.values["K"] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, -0.9};
-    return {sceneText(full, ""), R"({"mesh": "sphere", "surface": {"model": "phong", "parameters": {"ks": 0.5}}})",
-            R"({"lights": [{"direction": [0, 1, 0], "intensity": [1e3, 0, 1]}], "sensor": {"exposure": -2}})"};
+    return {
+        sceneText(full, ""), R"({"mesh": "sphere", "surface": {"model": "phong", "parameters": {"ks": 0.5}}})",
+        R"({"lights": [{"direction": [0, 1, 0], "intensity": [1e3, 0, 1]}], "sensor": {"exposure": -2}})",
+        R"({"sensor": {"noise": {"read": 3, "seed": 7}, "quantisation": {"bits": 12, "dither": true}, "encoding": {"on": false},
+                "balance": {"gains": [1, 2, 3]}, "view": {"kind": "luminance"}}})"};
 }
 
 std::vector<std::string> pngSeeds()

@@ -54,30 +54,48 @@ double brightestOf(const OracleCase& c)
     return std::max({std::fabs(c.I.x), std::fabs(c.I.y), std::fabs(c.I.z)});
 }
 
+Vec3d rounded(const Three& t)
+{
+    return {double(t[0]), double(t[1]), double(t[2])};
+}
+
+/// What input i adds to OracleAnswer::sensitivity.
+Vec3d sensitivityTo(std::size_t i, const OracleCase& c, const Inputs& inputs, const Three& truth, double eps)
+{
+    const auto value = formulaOf(c.model).value;
+    const double move = 16.0 * eps;
+    Inputs moved = inputs;
+    const Real step = stepOf(inputs, i, move);
+    moved[i] = inputs[i] + step;
+    const Three above = value(moved);
+    moved[i] = inputs[i] - step;
+    const Three below = value(moved);
+    Three added{};
+    for (std::size_t k = 0; k < 3; ++k)
+        added[k] = std::max(Real(abs(above[k] - truth[k])), Real(abs(below[k] - truth[k]))) / move;
+    return rounded(added);
+}
+
+OracleAnswer answerFrom(const OracleCase& c, const Inputs& inputs, const Three& truth)
+{
+    const Vec3d high = rounded(truth);
+    const auto height = formulaOf(c.model).height;
+    return {high,
+            rounded({truth[0] - high.x, truth[1] - high.y, truth[2] - high.z}),
+            {},
+            height ? double(height(inputs)) : 1.0};
+}
+
 } // namespace
 
 OracleAnswer oracle(const OracleCase& c, double eps)
 {
-    const auto value = formulaOf(c.model).value;
     const Inputs inputs = inputsOf(c);
-    const Three truth = value(inputs);
-    Three sensitivity{};
-    const double move = 16.0 * eps;
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        Inputs moved = inputs;
-        const Real step = stepOf(inputs, i, move);
-        moved[i] = inputs[i] + step;
-        const Three above = value(moved);
-        moved[i] = inputs[i] - step;
-        const Three below = value(moved);
-        for (std::size_t k = 0; k < 3; ++k)
-            sensitivity[k] += std::max(Real(abs(above[k] - truth[k])), Real(abs(below[k] - truth[k]))) / move;
-    }
-    const auto rounded = [](const Three& t) { return Vec3d{double(t[0]), double(t[1]), double(t[2])}; };
-    const Vec3d high = rounded(truth);
-    const auto height = formulaOf(c.model).height;
-    return {high, rounded({truth[0] - high.x, truth[1] - high.y, truth[2] - high.z}), rounded(sensitivity),
-            height ? double(height(inputs)) : 1.0};
+    const Three truth = formulaOf(c.model).value(inputs);
+    OracleAnswer answer = answerFrom(c, inputs, truth);
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        answer.sensitivity += sensitivityTo(i, c, inputs, truth, eps);
+    return answer;
 }
 
 double ratioToBound(const OracleCase& c, const Vec3d& got, bool isDouble)
@@ -108,6 +126,19 @@ double ratioToBound(const OracleCase& c, const OracleAnswer& truth, const Vec3d&
                              ratio(got.z, truth.value.z, truth.remainder.z, truth.sensitivity.z)};
     // max would drop a NaN, which must not pass for a small ratio.
     return std::isnan(ratios[0] + ratios[1] + ratios[2]) ? HUGE_VAL : *std::max_element(ratios, ratios + 3);
+}
+
+double worstRatio(double worst, const OracleCase& c, const Vec3d& got, bool isDouble)
+{
+    const Inputs inputs = inputsOf(c);
+    const Three truth = formulaOf(c.model).value(inputs);
+    OracleAnswer answer = answerFrom(c, inputs, truth);
+    double ratio = ratioToBound(c, answer, got, isDouble);
+    for (std::size_t i = 0; i < inputs.size() && !(ratio <= worst); ++i) {
+        answer.sensitivity += sensitivityTo(i, c, inputs, truth, isDouble ? 0x1p-53 : 0x1p-24);
+        ratio = ratioToBound(c, answer, got, isDouble);
+    }
+    return std::max(worst, ratio);
 }
 
 } // namespace reflectance::test

@@ -141,7 +141,7 @@ TEST(Walked, TextsBranchLoopAndCall)
     EXPECT_EQ(valueOf(shade("vec3 a[3]; for (int i = 2; i >= 0; --i) a[i] = float(i) * I; return a[1] + a[2];")),
               Vec3d(3, 6, 9));
     EXPECT_EQ(valueOf(shade("vec3 a = I; a.y = 7.0; a.x *= k; return a;")), Vec3d(2, 7, 3));
-    EXPECT_EQ(valueOf("const float two = 1.0 + 1.0;\nfloat f(float a, float b) { return a * two - b; }\n" +
+    EXPECT_EQ(valueOf("const float two = 1.0 + 1.0;\nfloat f(float a, float b) { return a * two - b; }\n"
                       "bool one(int i) { return i / 1 == 1; }\n" +
                       shade("return vec3(f(f(1.0, 2.0), f(3.0, 1.0)), !(1 > 2) && one(1) && true ? k : 0.0, -N.z);")),
               Vec3d(-5, 2, -1));

@@ -33,6 +33,15 @@ Scene unusualScene()
     scene.surface.W = {0.837, 0.105, 0.058, 0.219, 0.513, 0.268, 0.06, 1.0 / 3.0, 0.774};
     scene.other = Surface{"oren_nayar", {{"sigma", {0.7}}}};
     scene.sensor.exposure = -3.3;
+    scene.sensor.camera = {true, 2.8, 1.0 / 30.0, 400.0, 1000.0};
+    scene.sensor.vignetting = {true, FallOff::Polynomial, 31.0, {-0.1, 0.2, -0.3}};
+    scene.sensor.noise = {true, false, 1.0 / 3.0, 1e5, 77};
+    scene.sensor.well.on = false;
+    scene.sensor.balance = {true, {1.5, 1.0, 2.0}, {1, 2, 3, 4, 5, 6, 7, 8, 0.1}};
+    scene.sensor.response.on = true;
+    scene.sensor.encoding.kind = EncodingKind::Rec709;
+    scene.sensor.quantisation = {true, 12, true};
+    scene.sensor.view = {SensorViewKind::FalseColor, true};
     return scene;
 }
 
@@ -56,8 +65,8 @@ TEST(SceneFile, ReadsBackWhatItWroteBitForBit)
 
 TEST(SceneFile, TakesASurfaceOfTheLibraryAndWhatStandsBesideItComesAfter)
 {
-    const auto read = parseScene(
-        R"({"surface": {"library": "curet_oren_nayar/velvet", "parameters": {"rho": 0.5}}})", "scene.json", "");
+    const auto read = parseScene(R"({"surface": {"library": "curet_oren_nayar/velvet", "parameters": {"rho": 0.5}}})",
+                                 "scene.json", "");
     ASSERT_TRUE(read) << read.error().sentence();
     EXPECT_EQ(read->surface.model, "oren_nayar");
     EXPECT_EQ(read->surface.values.at("sigma"), std::vector<double>{1.4});
@@ -190,6 +199,12 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{R"({"surface": {"convention": "primary", "W": [1, 2, 3]}})", "nine finite numbers"},
                     BadScene{R"({"surface": {"convention": "primary", "W": [1,1,1, 1,1,1, 0,0,1]}})", "W is singular"},
                     BadScene{R"({"sensor": {"exposure": 1e9}})", "within -16 .. 16"},
+                    BadScene{R"({"sensor": {"noise": {"sigma": 1}}})", "scene.sensor.noise"},
+                    BadScene{R"({"sensor": {"quantisation": {"bits": 17}}})", "within 1 .. 16"},
+                    BadScene{R"({"sensor": {"encoding": {"kind": "sgrb"}}})", "choose one of: linear, srgb, rec709"},
+                    BadScene{R"({"sensor": {"response": {"kind": "curve"}}})", "needs its file"},
+                    BadScene{R"({"sensor": {"response": {"file": "missing.csv"}}})", "missing.csv"},
+                    BadScene{R"({"sensor": {"nose": {}}})", "did you mean 'noise'"},
                     BadScene{R"({"mesh": "missing.obj"})", "missing.obj"},
                     BadScene{R"({"reflectance_scene": 2})", "reflectance_scene must be a whole number within 1 .. 1"}));
 

@@ -60,6 +60,11 @@ void drawSeries(ImDrawList& list, const Series& series, const Field& field)
         if (i < series.spread.size())
             list.AddLine({at.x, field.y(series.y[i] - series.spread[i])},
                          {at.x, field.y(series.y[i] + series.spread[i])}, color);
+        if (i < series.spreadX.size()) {
+            const double low = std::max(series.x[i] - series.spreadX[i],
+                                        field.chart.x.scale == AxisScale::Log ? field.chart.x.low : -HUGE_VAL);
+            list.AddLine({field.x(low), at.y}, {field.x(series.x[i] + series.spreadX[i]), at.y}, color);
+        }
         if (series.mark != Mark::Line)
             list.AddCircleFilled(at, points(3.2F), color);
         if (i < series.labels.size())

@@ -2,10 +2,11 @@
 
 #include "app/explorer/ui/card.h"
 #include "app/explorer/ui/number_row.h"
+#include "app/explorer/ui/sensor_parts.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/base/text.h"
 
-#include <cmath>
+#include <array>
 
 namespace reflectance::explorer {
 
@@ -33,7 +34,7 @@ void drawCount(const char* name, std::size_t count, const char* about, ImU32 col
 
 void drawCounts(const SensorCounts& counts)
 {
-    drawCount("clipped", counts.clipped, "Pixels with a channel above 1 after exposure: they are shown as 255.",
+    drawCount("clipped", counts.clipped, "Pixels with a channel that the full well or the largest code cuts off.",
               palette::warning);
     ImGui::SameLine(0, points(14));
     drawCount("negative", counts.negative,
@@ -43,21 +44,36 @@ void drawCounts(const SensorCounts& counts)
               palette::error);
 }
 
+void drawView(SensorView& view)
+{
+    static constexpr std::array<Choice, 3> kinds = {{
+        {"picture", "The picture in its colours."},
+        {"luminance", "0.2126 R + 0.7152 G + 0.0722 B of the linear values, as a grey."},
+        {"false colour", "One colour for each stop of luminance; the legend stands in the picture."},
+    }};
+    if (const int pressed = choiceRow(kinds, static_cast<int>(view.kind)); pressed >= 0)
+        view.kind = static_cast<SensorViewKind>(pressed);
+    ImGui::Checkbox("mark what cannot be shown", &view.marks);
+    tooltip("Stripes: orange where a channel is clipped, blue where one is negative; magenta where one is no number.");
+}
+
 } // namespace
 
 void drawSensorPanel(ExplorerState& state)
 {
-    const double exposure = state.scene.sensor.exposure;
-    const Card card({3, "Sensor", "sRGB, 8 bit, \u00D7" + general(std::exp2(exposure), 3),
-                     "From linear radiance to code values: exposure, clipping, the sRGB curve, 8 bits.", true});
+    Sensor& sensor = state.scene.sensor;
+    const std::string parts = sensorPartsSummary(sensor);
+    const Card card({3, "Sensor", (parts.empty() ? "sRGB, 8 bit" : parts) + ", \u00D7" + general(gainOf(sensor), 3),
+                     "From linear radiance to code values, as a chain of parts that can be switched one by one.",
+                     true});
     if (!card.isOpen())
         return;
-    numberRow(exposureRow(), state.scene.sensor.exposure, state.message);
-    rowLabel("", "Encoding");
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("sRGB, 8 bit");
-    tooltip("The exact sRGB curve (IEC 61966-2-1), then rounding to 0 \u2026 255. EXR and PFM pictures keep linear "
-            "values.");
+    numberRow(exposureRow(), sensor.exposure, state.message);
+    drawView(sensor.view);
+    if (fold("Parts",
+             "Camera, vignetting, noise, full well, white balance, response, encoding and quantisation. EXR and "
+             "PFM pictures keep the linear values before them."))
+        drawSensorParts(state);
     if (state.sensorCounts)
         drawCounts(*state.sensorCounts);
 }

@@ -62,6 +62,22 @@ StatusPart pricePart(const PriceTag& tag)
     return {time + error, time, about, isTruth ? 2 : 4, false};
 }
 
+/// Linear values beside the code values.
+StatusPart pixelPart(const PixelReading& pixel)
+{
+    const auto code = [](double value) { return std::to_string(quantised(value)); };
+    const std::string codes = code(pixel.code.x) + " " + code(pixel.code.y) + " " + code(pixel.code.z);
+    const std::string place = "(" + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) + ")";
+    const auto linear = [&](int digits) {
+        return general(pixel.linear.x, digits) + " " + general(pixel.linear.y, digits) + " " +
+               general(pixel.linear.z, digits);
+    };
+    return {place + "  " + linear(3) + "  \u2192 " + codes, linear(2) + " \u2192 " + codes,
+            "Pixel " + place + ": linear red, green and blue before the sensor, " + linear(6) +
+                ", and the 8-bit codes after it, " + codes + ".",
+            7, false};
+}
+
 } // namespace
 
 std::vector<StatusPart> pictureParts(const ExplorerState& state)
@@ -69,6 +85,8 @@ std::vector<StatusPart> pictureParts(const ExplorerState& state)
     std::vector<StatusPart> parts{framePart(state), trianglePart(state)};
     if (!state.renderer.empty())
         parts.push_back(rendererPart(state));
+    if (state.pixel)
+        parts.push_back(pixelPart(*state.pixel));
     return parts;
 }
 

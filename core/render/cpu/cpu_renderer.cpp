@@ -30,23 +30,24 @@ ViewSamples sampleView(const RayScene& rays, const Camera& camera, const RenderS
     return sampleBand(rays, camera, settings, {0, settings.height}, {progress});
 }
 
-Image shadeSamples(const ViewSamples& samples, const Scene& scene, Precision precision, Progress* progress)
+Image shadeSamples(const ViewSamples& samples, const Scene& scene, const Arithmetic& arithmetic, Progress* progress)
 {
     Image image(samples.settings.width, samples.settings.height);
     CHECK_EQ(samples.firstOfPixel.size(), image.pixels() + 1);
-    shadeBand(samples, {0, image.height}, scene, precision, {progress}, image);
+    shadeBand(samples, {0, image.height}, scene, arithmetic, {progress}, image);
     return image;
 }
 
-Image renderOnCpu(const Scene& scene, const RenderSettings& settings, Precision precision, Progress* progress)
+Image renderOnCpu(const Scene& scene, const RenderSettings& settings, const Arithmetic& arithmetic, Progress* progress,
+                  double share)
 {
     const RayScene rays(scene.mesh);
     Image image(settings.width, settings.height);
     const int step = rowsPerBand(settings);
     for (int row = 0; row < settings.height && !(progress != nullptr && progress->cancel); row += step) {
         const RowBand band{row, std::min(step, settings.height - row)};
-        const Stretch half{progress, 0.5 * band.rows / settings.height};
-        shadeBand(sampleBand(rays, scene.camera, settings, band, half), band, scene, precision, half, image);
+        const Stretch half{progress, 0.5 * share * band.rows / settings.height};
+        shadeBand(sampleBand(rays, scene.camera, settings, band, half), band, scene, arithmetic, half, image);
     }
     return image;
 }

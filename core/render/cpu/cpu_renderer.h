@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/image/image.h"
+#include "core/reflectance/arithmetic.h"
 #include "core/reflectance/observation.h"
-#include "core/reflectance/precision.h"
 #include "core/render/progress.h"
 #include "core/render/settings.h"
 #include "core/render/view_samples.h"
@@ -24,11 +24,11 @@ class RayScene;
                                      Progress* progress = nullptr);
 
 /// Shades the samples in double, float or SIMD (not Glsl); pixels without a sample show the background.
-[[nodiscard]] Image shadeSamples(const ViewSamples& samples, const Scene& scene, Precision precision,
+[[nodiscard]] Image shadeSamples(const ViewSamples& samples, const Scene& scene, const Arithmetic& arithmetic,
                                  Progress* progress = nullptr);
 
-/// All three.
-[[nodiscard]] Image renderOnCpu(const Scene& scene, const RenderSettings& settings, Precision precision,
-                                Progress* progress = nullptr);
+/// All three. They are `share` of what the progress counts.
+[[nodiscard]] Image renderOnCpu(const Scene& scene, const RenderSettings& settings, const Arithmetic& arithmetic,
+                                Progress* progress = nullptr, double share = 1.0);
 
 } // namespace reflectance

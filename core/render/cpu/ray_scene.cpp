@@ -34,6 +34,22 @@ void attachTriangles(RTCDevice device, RTCScene scene, const Mesh& mesh)
     rtcReleaseGeometry(geometry);
 }
 
+void setRay(RTCRay8& rays, std::size_t i, const Vec3d& origin, const Vec3d& direction, double reach)
+{
+    rays.org_x[i] = static_cast<float>(origin.x);
+    rays.org_y[i] = static_cast<float>(origin.y);
+    rays.org_z[i] = static_cast<float>(origin.z);
+    rays.dir_x[i] = static_cast<float>(direction.x);
+    rays.dir_y[i] = static_cast<float>(direction.y);
+    rays.dir_z[i] = static_cast<float>(direction.z);
+    rays.tnear[i] = 0.0F;
+    rays.tfar[i] = static_cast<float>(reach);
+    rays.time[i] = 0.0F;
+    rays.mask[i] = 0xFFFFFFFF;
+    rays.id[i] = 0;
+    rays.flags[i] = 0;
+}
+
 /// Starts the ray where it enters the mesh's sphere, found in double: floats are then as fine as the mesh, however far
 /// away the eye is. A ray that misses the sphere is not traced.
 void placeRay(RTCRay8& rays, int* valid, std::size_t i, const RayPacket& packet, double radius)
@@ -43,19 +59,26 @@ void placeRay(RTCRay8& rays, int* valid, std::size_t i, const RayPacket& packet,
     const Vec3d foot = packet.eye + nearest * direction;
     const double reach = 1.001 * radius;
     valid[i] = packet.active[i] && nearest > -reach && dot(foot, foot) < reach * reach ? -1 : 0;
-    const Vec3d origin = packet.eye + std::max(0.0, nearest - reach) * direction;
-    rays.org_x[i] = static_cast<float>(origin.x);
-    rays.org_y[i] = static_cast<float>(origin.y);
-    rays.org_z[i] = static_cast<float>(origin.z);
-    rays.dir_x[i] = static_cast<float>(direction.x);
-    rays.dir_y[i] = static_cast<float>(direction.y);
-    rays.dir_z[i] = static_cast<float>(direction.z);
-    rays.tnear[i] = 0.0F;
-    rays.tfar[i] = std::numeric_limits<float>::infinity();
-    rays.time[i] = 0.0F;
-    rays.mask[i] = 0xFFFFFFFF;
-    rays.id[i] = 0;
-    rays.flags[i] = 0;
+    setRay(rays, i, packet.eye + std::max(0.0, nearest - reach) * direction, direction,
+           std::numeric_limits<double>::infinity());
+}
+
+std::array<std::uint32_t, 8> met(RTCScene scene, RTCRayHit8& rays, const int* valid, RTCIntersectContextFlags coherence)
+{
+    for (std::size_t i = 0; i < 8; ++i) {
+        rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        rays.hit.primID[i] = RayScene::nothing;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = coherence;
+    rtcIntersect8(valid, scene, &context, &rays);
+
+    std::array<std::uint32_t, 8> triangles{};
+    for (std::size_t i = 0; i < 8; ++i)
+        triangles[i] =
+            valid[i] != 0 && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? rays.hit.primID[i] : RayScene::nothing;
+    return triangles;
 }
 
 } // namespace
@@ -87,20 +110,20 @@ std::array<std::uint32_t, 8> RayScene::firstTriangles(const RayPacket& packet) c
 {
     alignas(32) RTCRayHit8 rays;
     alignas(32) int valid[8];
-    for (std::size_t i = 0; i < 8; ++i) {
-        placeRay(rays.ray, valid, i, packet, radius_);
-        rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        rays.hit.primID[i] = nothing;
-    }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect8(valid, scene_.get(), &context, &rays);
-
-    std::array<std::uint32_t, 8> triangles{};
     for (std::size_t i = 0; i < 8; ++i)
-        triangles[i] = valid[i] != 0 && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? rays.hit.primID[i] : nothing;
-    return triangles;
+        placeRay(rays.ray, valid, i, packet, radius_);
+    return met(scene_.get(), rays, valid, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+}
+
+std::array<std::uint32_t, 8> RayScene::firstTriangles(const SegmentPacket& packet) const
+{
+    alignas(32) RTCRayHit8 rays;
+    alignas(32) int valid[8];
+    for (std::size_t i = 0; i < 8; ++i) {
+        valid[i] = packet.active[i] ? -1 : 0;
+        setRay(rays.ray, i, packet.origins[i], packet.directions[i], packet.reach[i]);
+    }
+    return met(scene_.get(), rays, valid, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
 }
 
 } // namespace reflectance

@@ -19,6 +19,13 @@ struct RayPacket {
     std::array<bool, 8> active{}; ///< false: not to be traced
 };
 
+/// Eight pieces of rays, each with an origin of its own. Floats serve them well where the mesh is about as large as 1.
+struct SegmentPacket {
+    std::array<Vec3d, 8> origins, directions; ///< unit directions
+    std::array<double, 8> reach{};            ///< how far from the origin is looked
+    std::array<bool, 8> active{};             ///< false: not to be traced
+};
+
 class RayScene {
 public:
     static constexpr std::uint32_t nothing = 0xFFFFFFFF;
@@ -29,6 +36,7 @@ public:
 
     /// The first triangle that each ray of the packet meets, or `nothing`.
     [[nodiscard]] std::array<std::uint32_t, 8> firstTriangles(const RayPacket& packet) const;
+    [[nodiscard]] std::array<std::uint32_t, 8> firstTriangles(const SegmentPacket& packet) const;
 
 private:
     struct Release {

@@ -28,7 +28,7 @@ struct Stretch {
                                      RowBand band, Stretch stretch);
 
 /// Shades a band's samples into its rows of the picture.
-void shadeBand(const ViewSamples& samples, RowBand band, const Scene& scene, Precision precision, Stretch stretch,
-               Image& image);
+void shadeBand(const ViewSamples& samples, RowBand band, const Scene& scene, const Arithmetic& arithmetic,
+               Stretch stretch, Image& image);
 
 } // namespace reflectance

@@ -38,15 +38,16 @@ void shadeWith(const Kernel<T>& kernel, const ViewSamples& samples, RowBand band
 
 } // namespace
 
-void shadeBand(const ViewSamples& samples, RowBand band, const Scene& scene, Precision precision, Stretch stretch,
-               Image& image)
+void shadeBand(const ViewSamples& samples, RowBand band, const Scene& scene, const Arithmetic& arithmetic,
+               Stretch stretch, Image& image)
 {
-    CHECK_LT(static_cast<int>(precision), static_cast<int>(Precision::Glsl));
-    const Model& model = modelOf(scene);
-    if (precision == Precision::Double)
-        shadeWith(model.exact, samples, band, scene, stretch, image);
+    CHECK_LT(static_cast<int>(arithmetic.precision), static_cast<int>(Precision::Glsl));
+    const Kernels& kernels = modelOf(scene).with(arithmetic.lobe);
+    if (arithmetic.precision == Precision::Double)
+        shadeWith(kernels.exact, samples, band, scene, stretch, image);
     else
-        shadeWith(precision == Precision::Float ? model.single : model.lanes, samples, band, scene, stretch, image);
+        shadeWith(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes, samples, band, scene,
+                  stretch, image);
 }
 
 } // namespace reflectance

@@ -79,12 +79,13 @@ void EvaluatePass::drawChunk(const GlProgram& program, Grid& grid, std::vector<V
 
 Result<std::vector<Vec3d>> EvaluatePass::run(const Model& model, std::span<const double> values,
                                              std::span<const Observation> rows,
-                                             const std::shared_ptr<const MeasuredTable>& table)
+                                             const std::shared_ptr<const MeasuredTable>& table, LobeForm lobe)
 {
     const bool hasTable = model.text.usesTable && table;
-    const auto program = programs_.find(
-        model.id() + (model.walked ? model.text.file + model.text.code : "") + (hasTable ? "+table" : ""), [&] {
-            std::vector<ShaderPiece> pieces = modelPieces(model.text, hasTable);
+    const auto program =
+        programs_.find(model.id() + (model.walked ? model.text.file + model.text.code : "") +
+                           (hasTable ? "+table" : "+") + std::string(factsOf(lobe).name), [&] {
+            std::vector<ShaderPiece> pieces = modelPieces(model.text, hasTable, lobe);
             pieces.push_back(shaderFile("gl/no_surroundings.glsl"));
             pieces.push_back(shaderFile("gl/evaluate.frag"));
             return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
@@ -94,6 +95,8 @@ Result<std::vector<Vec3d>> EvaluatePass::run(const Model& model, std::span<const
         return program.error();
     (*program)->use();
     uploadParameters(**program, model.text, values);
+    if (model.text.usesLobe && lobe == LobeForm::Table)
+        uploadLobeTable(**program, model.text, values);
     if (hasTable)
         if (auto shown = table_.show(**program, table, static_cast<int>(inputNames.size())); !shown)
             return shown.error();

@@ -21,7 +21,7 @@ public:
     /// a row's lights too.
     [[nodiscard]] Result<std::vector<Vec3d>> run(const Model& model, std::span<const double> values,
                                                  std::span<const Observation> rows,
-                                                 const std::shared_ptr<const MeasuredTable>& table);
+                                                 const std::shared_ptr<const MeasuredTable>& table, LobeForm lobe);
 
     [[nodiscard]] std::size_t programs() const { return programs_.size(); }
 

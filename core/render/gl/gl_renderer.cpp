@@ -27,8 +27,8 @@ struct ViewInputs {
 /// The state that the passes rely on; a window's own drawing may have left anything.
 void prepareState(const Gl& gl)
 {
-    constexpr GLenum features[] = {GL_BLEND,  GL_SCISSOR_TEST,     GL_STENCIL_TEST,      GL_CULL_FACE, GL_DEPTH_TEST,
-                                   GL_DITHER, GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD};
+    constexpr GLenum features[] = {GL_BLEND,      GL_SCISSOR_TEST, GL_STENCIL_TEST,     GL_CULL_FACE,
+                                   GL_DEPTH_TEST, GL_DITHER,       GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD};
     for (const GLenum feature : features)
         gl.Disable(feature);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -65,7 +65,7 @@ struct GlRenderer::State {
     [[nodiscard]] Result<void> shade(const ShadingInputs& inputs);
     void develop(const Sensor& settings);
     /// Runs the passes whose inputs changed.
-    [[nodiscard]] Result<void> update(const Scene& scene, const RenderSettings& settings);
+    [[nodiscard]] Result<void> update(const Scene& scene, const RenderSettings& settings, const GlShading& how);
 
     /// Leaves GL as a window expects it. What `done` says goes before what the driver says about it.
     template <class T> [[nodiscard]] Result<T> closed(Result<T> done)
@@ -101,7 +101,7 @@ Result<void> GlRenderer::State::fits(const RenderSettings& s) const
     const long across = static_cast<long>(s.width) * s.samplesPerAxis;
     const long down = static_cast<long>(s.height) * s.samplesPerAxis;
     constexpr double bytesPerSample = 4 + 4 + 16 + 16; // triangle, depth, N, P
-    constexpr double bytesPerPixel = 16 + 4;       // linear, developed
+    constexpr double bytesPerPixel = 16 + 4;           // linear, developed
     constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
     const double needed = static_cast<double>(across) * static_cast<double>(down) * bytesPerSample +
                           static_cast<double>(s.width) * s.height * bytesPerPixel;
@@ -163,7 +163,7 @@ void GlRenderer::State::develop(const Sensor& settings)
     developed = settings;
 }
 
-Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings& settings)
+Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings& settings, const GlShading& how)
 {
     if (allocated != settings) {
         if (auto fit = fits(settings); !fit)
@@ -175,7 +175,7 @@ Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings&
         if (auto done = see(view); !done)
             return done;
     }
-    const ShadingInputs inputs = shadingInputsOf(scene);
+    const ShadingInputs inputs = shadingInputsOf(scene, how);
     if (shaded != inputs) {
         if (auto done = shade(inputs); !done)
             return done;
@@ -208,16 +208,22 @@ Result<GlRenderer> GlRenderer::create(GetProcAddress load)
     return GlRenderer(std::move(state));
 }
 
-Result<void> GlRenderer::render(const Scene& scene, const RenderSettings& settings)
+Result<void> GlRenderer::render(const Scene& scene, const RenderSettings& settings, const GlShading& how)
 {
     CHECK_EQ(scene.mesh != nullptr, true);
+    CHECK_LE(static_cast<int>(how.place), static_cast<int>(Place::Pixel));
     prepareState(state_->functions->gl());
-    return state_->closed(state_->update(scene, settings));
+    return state_->closed(state_->update(scene, settings, how));
 }
 
 void GlRenderer::invalidateShading()
 {
     state_->shaded.reset();
+}
+
+void GlRenderer::invalidateSamples()
+{
+    state_->seen.reset();
 }
 
 unsigned GlRenderer::developedTexture() const
@@ -244,13 +250,13 @@ void GlRenderer::finish()
 
 Result<std::vector<Vec3d>> GlRenderer::evaluate(const Model& model, std::span<const double> values,
                                                 std::span<const Observation> rows,
-                                                const std::shared_ptr<const MeasuredTable>& table)
+                                                const std::shared_ptr<const MeasuredTable>& table, LobeForm lobe)
 {
     State& s = *state_;
     prepareState(s.functions->gl());
     if (!s.evaluation)
         s.evaluation.emplace(s.functions->gl());
-    return s.closed(s.evaluation->run(model, values, rows, table));
+    return s.closed(s.evaluation->run(model, values, rows, table, lobe));
 }
 
 const GlWork& GlRenderer::work() const

@@ -4,6 +4,7 @@
 
 #include "core/image/image.h"
 #include "core/reflectance/observation.h"
+#include "core/render/gl/gl_shading.h"
 #include "core/render/headless/headless_context.h"
 #include "core/render/settings.h"
 #include "core/render/view_samples.h"
@@ -32,18 +33,20 @@ public:
     ~GlRenderer();
 
     /// Brings the picture up to date; only the passes whose inputs changed run.
-    [[nodiscard]] Result<void> render(const Scene& scene, const RenderSettings& settings);
+    [[nodiscard]] Result<void> render(const Scene& scene, const RenderSettings& settings, const GlShading& how = {});
 
     [[nodiscard]] unsigned developedTexture() const; ///< RGBA8, sRGB-encoded, row 0 at the bottom: for the window
     [[nodiscard]] Image readLinear();                ///< the linear picture before the sensor
     [[nodiscard]] ViewSamples readSamples();         ///< the N and P that GL used, for GL = CPU
-    void invalidateShading();                        ///< the next render() shades again even if nothing changed (for timing)
-    void finish();                                   ///< waits until all drawing is done (for timing)
+    void invalidateShading(); ///< the next render() shades again even if nothing changed (for timing)
+    void invalidateSamples(); ///< the next render() looks again as well
+    void finish();            ///< waits until all drawing is done (for timing)
 
     /// The model at given directions, in GLSL; same rows as reflectance::evaluate.
     [[nodiscard]] Result<std::vector<Vec3d>> evaluate(const Model& model, std::span<const double> values,
                                                       std::span<const Observation> rows,
-                                                      const std::shared_ptr<const MeasuredTable>& table = nullptr);
+                                                      const std::shared_ptr<const MeasuredTable>& table = nullptr,
+                                                      LobeForm lobe = LobeForm::Conditioned);
 
     [[nodiscard]] const GlWork& work() const;
     [[nodiscard]] std::string description() const; ///< GL_RENDERER and GL_VERSION

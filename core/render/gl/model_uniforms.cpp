@@ -1,6 +1,7 @@
 #include "core/render/gl/model_uniforms.h"
 
 #include "core/base/check.h"
+#include "core/reflectance/lobe_table.h"
 
 #include <vector>
 
@@ -31,6 +32,16 @@ void uploadParameters(const GlProgram& program, const ModelText& model, std::spa
             break;
         }
     }
+}
+
+void uploadLobeTable(const GlProgram& program, const ModelText& model, std::span<const double> values)
+{
+    const Parameter* n = model.find("n");
+    CHECK_EQ(n != nullptr, true);
+    const LobeTable<double> table = makeLobeTable(values[n->offset]);
+    const std::vector<float> rounded(table.values.begin(), table.values.end());
+    program.set("lobeTable", rounded);
+    program.set("lobeTableScale", static_cast<float>(table.scale));
 }
 
 } // namespace reflectance

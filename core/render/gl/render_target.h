@@ -11,7 +11,7 @@ enum class WithDepth { No, Yes };
 
 class RenderTarget {
 public:
-    /// One texture per format, GL_RGBA32F, GL_RGBA8 or GL_R32UI. `resize` must follow.
+    /// One texture per format, GL_RGBA32F, GL_RGBA16F, GL_RGBA8 or GL_R32UI. `resize` must follow.
     RenderTarget(const Gl& gl, std::vector<GLenum> formats, WithDepth depth);
 
     /// Allocates anew; contents are undefined until drawn.

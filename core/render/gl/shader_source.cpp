@@ -66,9 +66,13 @@ ShaderPiece modelCode(const ModelText& model)
     return {model.file, model.code};
 }
 
-std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable)
+std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable, LobeForm lobe)
 {
     std::vector<ShaderPiece> pieces{shaderFile("prelude.glsl"), parameterDeclarations(model)};
+    if (model.usesLobe) {
+        pieces.push_back(shaderFile("lobe/counting.glsl"));
+        pieces.push_back(shaderFile(factsOf(lobe).text));
+    }
     if (model.usesTable)
         pieces.push_back(shaderFile(hasTable ? "measured/lookup.glsl" : "gl/no_table.glsl"));
     pieces.push_back(modelCode(model));

@@ -1,6 +1,7 @@
 // Puts a GLSL program text together from files, so that the compiler's messages still name the file and line.
 #pragma once
 
+#include "core/reflectance/lobe_form.h"
 #include "core/reflectance/model_text.h"
 
 #include <string>
@@ -31,9 +32,10 @@ struct ShaderSource {
 /// The model's formula.
 [[nodiscard]] ShaderPiece modelCode(const ModelText& model);
 
-/// All that stands before the stage: prelude, parameters, the table's lookup where the model needs one (`hasTable`: there
-/// is one), and the model.
-[[nodiscard]] std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable);
+/// All that stands before the stage: prelude, lobe, parameters, the table's lookup where the model needs one (`hasTable`:
+/// there is one), and the model.
+[[nodiscard]] std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable,
+                                                   LobeForm lobe = LobeForm::Conditioned);
 
 inline constexpr long linesPerFile = 100'000;
 

@@ -4,10 +4,15 @@
 
 namespace reflectance {
 
-ShadingInputs shadingInputsOf(const Scene& scene)
+ShadingInputs shadingInputsOf(const Scene& scene, const GlShading& how)
 {
-    ShadingInputs inputs{requirementsOf(scene), valuesOf(scene), lightTexels(shiningLights(scene)), scene.environment,
-                         scene.background, nullptr};
+    ShadingInputs inputs{requirementsOf(scene, how.lobe),
+                         valuesOf(scene),
+                         lightTexels(shiningLights(scene)),
+                         scene.environment,
+                         scene.background,
+                         nullptr,
+                         how};
     if (inputs.requirements.table)
         inputs.table = scene.surface.table;
     const bool seen = inputs.requirements.environment || inputs.requirements.environmentBackground;

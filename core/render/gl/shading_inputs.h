@@ -2,6 +2,7 @@
 // of the same samples. What the scene does not require is left out, so changing it shades nothing again.
 #pragma once
 
+#include "core/render/gl/gl_shading.h"
 #include "core/scene/requirements.h"
 #include "core/scene/scene.h"
 
@@ -17,10 +18,11 @@ struct ShadingInputs {
     Environment environment;    ///< None unless required
     Background background;
     std::shared_ptr<const MeasuredTable> table; ///< null unless required
+    GlShading how = {};
 
     friend bool operator==(const ShadingInputs&, const ShadingInputs&) = default;
 };
 
-[[nodiscard]] ShadingInputs shadingInputsOf(const Scene& scene);
+[[nodiscard]] ShadingInputs shadingInputsOf(const Scene& scene, const GlShading& how = {});
 
 } // namespace reflectance

@@ -11,7 +11,7 @@ namespace {
 
 enum Unit { Normals, Positions, Lights, Map, MeasuredTexels };
 
-std::vector<std::string> definesFor(const Requirements& r)
+std::vector<std::string> definesFor(const Requirements& r, Place place)
 {
     std::vector<std::string> names;
     const auto define = [&names](bool required, const char* name) {
@@ -24,12 +24,13 @@ std::vector<std::string> definesFor(const Requirements& r)
     define(r.environmentBackground, "ENVIRONMENT_BACKGROUND");
     define(r.environmentMap, "ENVIRONMENT_MAP");
     define(r.holes, "TABLE_HOLES");
+    define(place == Place::Pixel, "ONCE_PER_PIXEL");
     return names;
 }
 
-ShaderSource sourceFor(const Requirements& r, const ModelText& model)
+ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place place)
 {
-    std::vector<ShaderPiece> pieces = modelPieces(model, r.table);
+    std::vector<ShaderPiece> pieces = modelPieces(model, r.table, r.lobe);
     if (r.holes)
         pieces.push_back(shaderFile("measured/holes.glsl"));
     if (r.environment || r.environmentBackground) {
@@ -41,7 +42,7 @@ ShaderSource sourceFor(const Requirements& r, const ModelText& model)
     pieces.push_back(shaderFile("gl/rays.glsl"));
     pieces.push_back(shaderFile("gl/arrival.glsl"));
     pieces.push_back(shaderFile("gl/shading.frag"));
-    return assembled(definesFor(r), std::move(pieces));
+    return assembled(definesFor(r, place), std::move(pieces));
 }
 
 } // namespace
@@ -56,11 +57,22 @@ void ShadingPass::resize(const RenderSettings& settings)
     linear_.resize(settings.width, settings.height);
 }
 
-Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements)
+void ShadingPass::keepIn(bool halfBuffer)
 {
-    return programs_.find(requirements.key(), [&]() -> Result<GlProgram> {
+    if (halfBuffer == halfBuffer_)
+        return;
+    const int width = linear_.width();
+    const int height = linear_.height();
+    linear_ = RenderTarget(*gl_, {halfBuffer ? GLenum{GL_RGBA16F} : GLenum{GL_RGBA32F}}, WithDepth::No);
+    linear_.resize(width, height);
+    halfBuffer_ = halfBuffer;
+}
+
+Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements, Place place)
+{
+    return programs_.find(requirements.key() + (place == Place::Pixel ? "+once" : ""), [&]() -> Result<GlProgram> {
         return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
-                               sourceFor(requirements, requirements.modelUsed().text));
+                               sourceFor(requirements, requirements.modelUsed().text, place));
     });
 }
 
@@ -96,7 +108,7 @@ Result<void> ShadingPass::setEnvironment(const GlProgram& program, const Shading
 Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs& inputs, const Camera& camera,
                                const RenderSettings& settings)
 {
-    const auto found = programFor(inputs.requirements);
+    const auto found = programFor(inputs.requirements, inputs.how.place);
     if (!found)
         return found.error();
     const GlProgram& program = **found;
@@ -115,7 +127,11 @@ Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs&
     if (inputs.table)
         if (auto shown = table_.show(program, inputs.table, Unit::MeasuredTexels); !shown)
             return shown;
-    uploadParameters(program, inputs.requirements.modelUsed().text, inputs.values);
+    const ModelText& model = inputs.requirements.modelUsed().text;
+    uploadParameters(program, model, inputs.values);
+    if (inputs.requirements.lobe == LobeForm::Table)
+        uploadLobeTable(program, model, inputs.values);
+    keepIn(inputs.how.halfBuffer);
     linear_.bind();
     gl_->BindVertexArray(noVertices_.id());
     gl_->DrawArrays(GL_TRIANGLES, 0, 3);

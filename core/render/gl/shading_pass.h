@@ -28,12 +28,14 @@ public:
     [[nodiscard]] std::uint64_t tableUploads() const { return table_.uploads(); }
 
 private:
-    [[nodiscard]] Result<const GlProgram*> programFor(const Requirements& requirements);
+    [[nodiscard]] Result<const GlProgram*> programFor(const Requirements& requirements, Place place);
+    void keepIn(bool halfBuffer);
     void setLights(const GlProgram& program, const std::vector<float>& texels);
     [[nodiscard]] Result<void> setEnvironment(const GlProgram& program, const ShadingInputs& inputs);
 
     const Gl* gl_;
     RenderTarget linear_;
+    bool halfBuffer_ = false; ///< of linear_
     GlVertexArray noVertices_;
     LightBuffer lights_;
     EnvironmentMap environmentMap_;

@@ -2,7 +2,6 @@
 
 #include "core/reflectance/kernel_tables.h"
 #include "core/render/cpu/cpu_renderer.h"
-#include "core/render/cpu/vertex_shading.h"
 #include "core/render/gl/gl_renderer.h"
 
 #include <algorithm>
@@ -38,12 +37,12 @@ template <class Shade> double medianMilliseconds(int repetitions, Shade shade)
 void renderFrames(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan, Progress* progress,
                   Rendered& rendered)
 {
+    const Arithmetic arithmetic(plan.precision, plan.lobe);
     const Clock::time_point start = Clock::now();
-    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, settings, progress);
-    const auto shade = [&] {
-        rendered.image = plan.shading == Shading::Vertex ? shadePerVertex(samples, scene, plan.precision)
-                                                         : shadeSamples(samples, scene, plan.precision);
-    };
+    const PlacedView view = placedView(
+        std::make_shared<const ViewSamples>(sampleView(*makeRayScene(scene.mesh), scene.camera, settings, progress)),
+        *scene.mesh, plan.place);
+    const auto shade = [&] { rendered.image = shadePlaces(view, scene, arithmetic); };
     shade();
     rendered.firstFrameMilliseconds = millisecondsSince(start);
     rendered.shadingMilliseconds = medianMilliseconds(plan.frames - 1, shade);
@@ -57,9 +56,9 @@ Result<Rendered> renderByCpu(const Scene& scene, const RenderSettings& settings,
     rendered.precision = std::string(nameOf(plan.precision));
     if (plan.precision == Precision::Simd)
         rendered.precision += std::string(" (") + lanesName() + ")";
-    if (plan.frames == 1 && plan.shading == Shading::Pixel) { // in bands, which keeps huge pictures small in memory
+    if (plan.frames == 1 && plan.place == Place::Sample) { // in bands, which keeps huge pictures small in memory
         const Clock::time_point start = Clock::now();
-        rendered.image = renderOnCpu(scene, settings, plan.precision, progress);
+        rendered.image = renderOnCpu(scene, settings, {plan.precision, plan.lobe}, progress);
         rendered.firstFrameMilliseconds = millisecondsSince(start);
     } else {
         renderFrames(scene, settings, plan, progress, rendered);
@@ -79,14 +78,15 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
     auto renderer = GlRenderer::create(context.loader());
     if (!renderer)
         return renderer.error();
-    if (const auto drawn = renderer->render(scene, settings); !drawn)
+    const GlShading how{plan.place, false, plan.lobe};
+    if (const auto drawn = renderer->render(scene, settings, how); !drawn)
         return drawn.error();
     renderer->finish();
     rendered.firstFrameMilliseconds = millisecondsSince(start);
     Result<void> last;
     rendered.shadingMilliseconds = medianMilliseconds(plan.frames - 1, [&] {
         renderer->invalidateShading();
-        last = renderer->render(scene, settings);
+        last = renderer->render(scene, settings, how);
         renderer->finish();
     });
     if (!last)
@@ -100,9 +100,11 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
 Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
                                Progress* progress)
 {
-    if (plan.shading == Shading::Vertex && plan.backend == Backend::Gl)
-        return Error{"shading per vertex belongs to the CPU renderer; leave the GL backend out, or shade per pixel"};
-    if (plan.backend == Backend::Cpu || plan.shading == Shading::Vertex)
+    const bool onMesh = plan.place == Place::Vertex || plan.place == Place::Face;
+    if (onMesh && plan.backend == Backend::Gl)
+        return Error{"shading per " + std::string(nameOf(plan.place)) +
+                     " belongs to the CPU renderer; leave the GL backend out, or shade per pixel"};
+    if (plan.backend == Backend::Cpu || onMesh)
         return renderByCpu(scene, settings, plan, progress);
     auto context = openHeadless(plan.context);
     if (context)

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/image/image.h"
-#include "core/reflectance/precision.h"
-#include "core/render/cpu/cpu_renderer.h"
+#include "core/reflectance/arithmetic.h"
+#include "core/render/cpu/shading_places.h"
 #include "core/render/headless/headless_context.h"
 #include "core/render/settings.h"
 #include "core/scene/scene.h"
@@ -15,15 +15,13 @@ namespace reflectance {
 
 enum class Backend { Auto, Gl, Cpu };
 
-/// Where the model is evaluated: at every sample, or at the mesh's vertices (CPU only).
-enum class Shading { Pixel, Vertex };
-
 struct RenderPlan {
     Backend backend = Backend::Auto;         ///< Auto: GL where a context opens, else the CPU
     Precision precision = Precision::Double; ///< of the CPU renderer
     ContextKind context = ContextKind::Any;
-    int frames = 1; ///< shadings; more than one for timing
-    Shading shading = Shading::Pixel;
+    int frames = 1;              ///< shadings; more than one for timing
+    Place place = Place::Sample; ///< where the model is evaluated; the GL renderer knows Sample and Pixel
+    LobeForm lobe = LobeForm::Conditioned;
 };
 
 struct Rendered {

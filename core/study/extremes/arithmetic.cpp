@@ -12,10 +12,11 @@
 namespace reflectance {
 namespace {
 
-/// How often the prelude and the model texts call GLSL's pow, comments left out.
+/// How often the prelude, the lobe and the model texts call GLSL's pow, comments left out.
 std::size_t callsOfPow(Bench& bench)
 {
-    std::vector<std::string> texts{std::string(embeddedText("prelude.glsl"))};
+    std::vector<std::string> texts{std::string(embeddedText("prelude.glsl")),
+                                   std::string(embeddedText("lobe/conditioned.glsl"))};
     for (const Model& model : bench.models())
         texts.push_back(model.text.code);
     std::size_t calls = 0;

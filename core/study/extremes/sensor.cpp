@@ -39,19 +39,19 @@ Outcome specialValues(Bench&)
 /// The codes that the shared sensor text gives in GLSL. The text runs as if it were a model: I goes in, light comes out.
 std::vector<int> codesInGlsl(Bench& bench, const std::vector<double>& values)
 {
-    const auto text = parseModelText("extremes_sensor",
-                                     std::string(embeddedText("sensor/develop.glsl")) +
-                                         "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { return develop(I); }\n",
-                                     {});
+    const auto text =
+        parseModelText("extremes_sensor",
+                       std::string(embeddedText("sensor/encode.glsl")) +
+                           "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { return vec3(encodeSrgb(inRange(I.x))); }\n",
+                       {});
     if (!text)
         return {};
     const Vec3d up{0, 0, 1};
     std::vector<Observation> rows;
     for (const double value : values)
         rows.push_back({up, up, {{up, Vec3d(value), 0.0}}});
-    const double noExposure[] = {0.0};
     std::vector<int> codes;
-    for (const Vec3d& encoded : bench.ask({*text, {}, {}, {}}, noExposure, rows))
+    for (const Vec3d& encoded : bench.ask({{}, *text, {}}, {}, rows))
         codes.push_back(quantised(encoded.x));
     return codes;
 }

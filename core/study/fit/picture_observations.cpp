@@ -17,7 +17,7 @@ class PixelReader {
 public:
     PixelReader(const Picture& picture, const Scene& scene, Progress* progress)
         : picture_(picture), lights_(shiningLights(scene)),
-          perCode_(picture.isLinear() ? 1.0 : std::exp2(-scene.sensor.exposure)),
+          perCode_(picture.isLinear() ? 1.0 : 1.0 / gainOf(scene.sensor)),
           samples_(sampleView(*makeRayScene(scene.mesh), scene.camera, {picture.image.width, picture.image.height, 1},
                               progress))
     {

@@ -14,6 +14,8 @@ namespace reflectance {
 
 struct PixelPlace {
     int x = 0, y = 0; ///< column and row from the upper left
+
+    friend bool operator==(const PixelPlace&, const PixelPlace&) = default;
 };
 
 /// The pixels of `wanted`, or where it is empty all of them (of more than `most` every k-th), that see the object whole and lit:

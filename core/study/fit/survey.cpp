@@ -2,7 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/measured/load.h"
-#include "core/study/fit/shading_cost.h"
+#include "core/study/cost/shading_cost.h"
 
 #include <algorithm>
 #include <filesystem>

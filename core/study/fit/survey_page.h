@@ -1,19 +1,13 @@
 // A survey as a page for people: the lecture's question, what the numbers answer, and drawings of both.
 #pragma once
 
-#include "core/chart/chart.h"
+#include "core/chart/drawing.h"
 #include "core/study/fit/survey.h"
 
 #include <string>
 #include <vector>
 
 namespace reflectance {
-
-struct Drawing {
-    std::string name; ///< of its file, without ending: "served"
-    std::string says; ///< what is seen in it
-    Chart chart;
-};
 
 /// How many surfaces each model serves within a tolerance; each surface under Lambert, hybrid and its best model; median error
 /// against cost.

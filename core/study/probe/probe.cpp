@@ -116,18 +116,27 @@ void addSurroundings(const Scene& scene, const Dissected& parts, Probe& probe)
     probe.surroundings = sum - before;
 }
 
+/// By the sensor's own chain, which asks where in the picture a pixel lies; the picture holds floats.
 void develop(const Sensor& sensor, Probe& probe)
 {
-    probe.gain = std::exp2(sensor.exposure);
+    const ProbedPoint& point = probe.point;
+    const auto inside = [](double at, int size) { return std::clamp(static_cast<int>(std::floor(at)), 0, size - 1); };
+    const int x = inside(point.x, point.width), y = inside(point.y, point.height);
+    Image image(point.width, point.height);
+    const Vec3f value(probe.value);
+    float* const pixel = image.at(x, y);
+    pixel[0] = value.x;
+    pixel[1] = value.y;
+    pixel[2] = value.z;
+    probe.gain = gainOf(sensor);
     probe.exposed = probe.value * probe.gain;
+    probe.encoded = developedAt(image, x, y, sensor);
     const double exposed[] = {probe.exposed.x, probe.exposed.y, probe.exposed.z};
-    double encoded[3];
+    const double encoded[] = {probe.encoded.x, probe.encoded.y, probe.encoded.z};
     for (std::size_t i = 0; i < 3; ++i) {
         probe.clipped[i] = !(exposed[i] >= 0.0 && exposed[i] <= 1.0);
-        encoded[i] = exposed[i] > 0.0 ? encodeSrgb(std::min(exposed[i], 1.0)) : 0.0;
         probe.codes[i] = quantised(encoded[i]);
     }
-    probe.encoded = {encoded[0], encoded[1], encoded[2]};
 }
 
 /// To the triangle along the ray, from either side; infinite where it is missed. Moller and Trumbore, 1997.
@@ -162,7 +171,7 @@ std::optional<ProbedPoint> pointAt(const Mesh& mesh, const Camera& camera, doubl
     if (!first)
         return std::nullopt;
     const SurfacePoint point = surfacePoint(mesh, *first, camera.eye, direction);
-    return ProbedPoint{x, y, point.P, point.N, *first};
+    return ProbedPoint{x, y, width, height, point.P, point.N, *first};
 }
 
 Probe probeAt(const Scene& scene, const ProbedPoint& point)

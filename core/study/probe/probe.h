@@ -15,8 +15,9 @@ namespace reflectance {
 
 /// Where a ray through the picture meets the object.
 struct ProbedPoint {
-    double x = 0.0, y = 0.0; ///< in the picture, pixels from its upper left corner
-    Vec3d P, N;              ///< as a sample has them (core/render/view_samples.h)
+    double x = 0.0, y = 0.0;   ///< in the picture, pixels from its upper left corner
+    int width = 1, height = 1; ///< of the picture
+    Vec3d P, N;                ///< as a sample has them (core/render/view_samples.h)
     std::uint32_t triangle = 0;
 };
 
@@ -53,7 +54,7 @@ struct Probe {
     std::vector<ProbedLight> lights;   ///< that shine, in the order in which they are added up
     std::optional<Vec3d> surroundings; ///< what the model sees of them
     Vec3d value;       ///< linear: what shadeSamples gives for a sample here, before it is rounded to float
-    double gain = 1.0; ///< 2^exposure
+    double gain = 1.0; ///< of the sensor, exposure included
     Vec3d exposed, encoded;
     std::array<std::uint8_t, 3> codes{};
     std::array<bool, 3> clipped{}; ///< above 1 or below 0 after exposure

@@ -69,7 +69,7 @@ std::string probeText(const Probe& probe)
     for (std::size_t i = 0; i < 3; ++i)
         if (probe.clipped[i])
             text += std::string("  clipped      ") + channels[i] + "\n";
-    text += "  sRGB         " + triple(probe.encoded) + "\n  code         ";
+    text += "  encoded      " + triple(probe.encoded) + "\n  code         ";
     for (const std::uint8_t code : probe.codes)
         text += std::to_string(code) + "  ";
     while (text.ends_with(' '))

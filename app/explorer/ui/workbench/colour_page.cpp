@@ -4,6 +4,7 @@
 #include "app/explorer/ui/plot.h"
 #include "app/explorer/ui/widgets.h"
 #include "app/explorer/ui/workbench/colour_views.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 
@@ -124,6 +125,43 @@ void useButton(ExplorerState& state, const ColorAnswer& answer)
     surface.W = page.convention == Convention::Primary ? rowByRow(answer.system.W) : Surface().W;
 }
 
+/// Prices the cheats on the user's object; what was found stands below.
+void objectButton(ColourPage& page)
+{
+    ObjectStudy& study = page.object;
+    if (study.running) {
+        remark("shading wavelength by wavelength, " + std::to_string(static_cast<int>(100.0 * study.done)) + " %");
+    } else {
+        study.asked |= ImGui::Button("Price on the object", {-1, 0});
+        tooltip("Every cheat on the object in the picture, with this patch's reflectance, against the spectral "
+                "integral: under the "
+                "scene's lights as strengths of the primaries, or under the lamp chosen.");
+    }
+    if (!study.found)
+        return;
+    if (!study.found->problem.empty())
+        return remark(study.found->problem, palette::error);
+    const PicturePrice& price = study.found->prices[static_cast<std::size_t>(page.cheat)];
+    remark(study.found->surface + ", " + study.found->light + ": dE2000 " + general(price.mean, 2) + " mean, " +
+               general(price.p95, 2) + " p95, " + general(price.max, 2) + " max",
+           price.max > 2.3 ? palette::warning : palette::text);
+    tooltip("Of the cheat chosen above, over the pixels that the object covers whole.");
+}
+
+void chartOrPairRow(ColourPage& page)
+{
+    static constexpr Choice views[] = {
+        {"chart", "The 24 patches: above the spectral truth, below the cheat."},
+        {"metamers",
+         "The patch and a twin with the same K, under the primaries' white and under the light chosen: where three "
+         "numbers for the light fail, no K can tell them apart."}};
+    ImGui::PushID("views");
+    const int pressed = choiceRow(views, page.showsPair ? 1 : 0);
+    if (pressed >= 0)
+        page.showsPair = pressed == 1;
+    ImGui::PopID();
+}
+
 /// Derives K again where the question has changed.
 void deriveAgain(ColourPage& page)
 {
@@ -149,9 +187,12 @@ void drawColourPage(ExplorerState& state)
     menu("##under", "The light on the chart.", lights, page.question.under);
     conventionRow(page);
     cheatRow(page);
+    chartOrPairRow(page);
     deriveAgain(page);
-    if (page.answer)
+    if (page.answer) {
         useButton(state, *page.answer);
+        objectButton(page);
+    }
     if (!page.problem.empty())
         remark(page.problem, palette::error);
     ImGui::EndChild();
@@ -172,7 +213,10 @@ void drawColourPage(ExplorerState& state)
     if (chartWidth < points(60))
         return;
     ImGui::SameLine();
-    drawPatches(page, {chartWidth, room.y});
+    if (page.showsPair)
+        drawPair(page, {chartWidth, room.y});
+    else
+        drawPatches(page, {chartWidth, room.y});
 }
 
 } // namespace reflectance::explorer

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/sensor/sensor.h"
 #include "core/spectra/builtin.h"
+#include "core/spectra/metamers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,26 @@ void drawPatch(const ColourPage& page, std::size_t patch, ImVec2 topLeft, ImVec2
                        codeOf(page.answer->byCheat[static_cast<std::size_t>(page.cheat)][patch]));
     if (patch == page.patch)
         list.AddRect({topLeft.x - 1, topLeft.y - 1}, {end.x + 1, end.y + 1}, palette::accent, 0.0F, 0, points(2));
+}
+
+/// Two halves without a seam: what differs is seen as an edge.
+void drawTwins(const Vec3d& own, const Vec3d& twin, ImVec2 topLeft, ImVec2 size)
+{
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float middle = std::round(topLeft.x + 0.5F * size.x);
+    list.AddRectFilled(topLeft, {middle, topLeft.y + size.y}, codeOf(own));
+    list.AddRectFilled({middle, topLeft.y}, {topLeft.x + size.x, topLeft.y + size.y}, codeOf(twin));
+}
+
+void drawTwinsUnder(const std::string& light, double apart, const Vec3d& own, const Vec3d& twin, ImVec2 size)
+{
+    const std::string text = light + ": dE2000 " + (apart < 0.005 ? "0" : general(apart, 2));
+    remark(elided(text, size.x), apart > 1.0 ? palette::warning : palette::text);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton(("pair under " + light).c_str(), {std::max(size.x, 1.0F), std::max(size.y, 1.0F)});
+    tooltip("Left the patch, right its twin: another reflectance with the same K. Under " + light +
+            " they are dE2000 " + general(apart, 3) + " apart by the spectral integral; every K says 0.");
+    drawTwins(own, twin, start, size);
 }
 
 } // namespace
@@ -132,6 +153,18 @@ void drawPatches(ColourPage& page, ImVec2 size)
         ImGui::PopID();
         drawPatch(page, i, topLeft, patch);
     }
+}
+
+void drawPair(const ColourPage& page, ImVec2 size)
+{
+    const ColorAnswer& answer = *page.answer;
+    const MetamericPair pair =
+        metamericPair(answer.system, xyzFromSensor(answer.system), answer.patches[page.patch], answer.light);
+    ImGui::BeginChild("metamers", size, false, ImGuiWindowFlags_NavFlattened);
+    const ImVec2 half{size.x, std::max(points(12), 0.5F * size.y - ImGui::GetTextLineHeightWithSpacing() - points(6))};
+    drawTwinsUnder("white of the primaries", pair.apartUnderWhite, pair.ownUnderWhite, pair.twinUnderWhite, half);
+    drawTwinsUnder(answer.light.name, pair.apartUnderLight, pair.ownUnderLight, pair.twinUnderLight, half);
+    ImGui::EndChild();
 }
 
 } // namespace reflectance::explorer

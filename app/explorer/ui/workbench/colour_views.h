@@ -17,4 +17,7 @@ void drawDerivedMatrix(const ColourPage& page, ImVec2 size);
 /// Every patch, its upper half in truth, its lower half by the chosen cheat. A click chooses the patch.
 void drawPatches(ColourPage& page, ImVec2 size);
 
+/// The chosen patch and its metameric twin, side by side under the primaries' white and under the light chosen.
+void drawPair(const ColourPage& page, ImVec2 size);
+
 } // namespace reflectance::explorer

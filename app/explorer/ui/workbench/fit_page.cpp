@@ -3,6 +3,7 @@
 #include "app/explorer/ui/number_row.h"
 #include "app/explorer/ui/plot.h"
 #include "app/explorer/ui/widgets.h"
+#include "app/explorer/ui/workbench/photograph_view.h"
 #include "core/base/text.h"
 #include "core/math/angle.h"
 #include "core/study/fit/plane_chart.h"
@@ -16,8 +17,15 @@ namespace {
 
 constexpr float controlsWidth = 236.0F, numbersWidth = 300.0F;
 
-void fileField(FitWish& wish)
+void fileField(ExplorerState& state)
 {
+    FitWish& wish = state.fit.wish;
+    const std::string& shown = state.scene.surface.tableFile;
+    if (!shown.empty() && wish.file != shown) {
+        if (ImGui::Button("The scene's table", {-1, 0}))
+            wish.file = shown;
+        tooltip("Fit to the measurement that the object wears: " + shown);
+    }
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##file", "path of a measured table", &wish.file);
     tooltip("A measurement: CSV, OpenMATERIAL 3D, MERL, RGL, Cornell, CUReT or Zemax; the content decides.");
@@ -25,6 +33,23 @@ void fileField(FitWish& wish)
     ImGui::InputInt("##surface", &wish.surface, 1, 10);
     tooltip("Which surface of a file that holds several, such as CUReT's 61; 1 for all others.");
     wish.surface = std::max(1, wish.surface);
+}
+
+void pictureField(FitStudy& study)
+{
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##picture", "path of a picture of this object", &study.pictureFile);
+    study.readPicture |= ImGui::IsItemDeactivatedAfterEdit() && !study.pictureFile.empty();
+    tooltip("A photograph or a render, PNG or EXR, of the scene's mesh from the scene's camera under the scene's "
+            "lights. Click "
+            "pixels in it to fit to those alone.");
+    const std::size_t marks = study.wish.pixels.size();
+    ImGui::BeginDisabled(marks == 0);
+    if (ImGui::Button("All pixels", {-1, 0}))
+        study.wish.pixels.clear();
+    ImGui::EndDisabled();
+    tooltip(marks == 0 ? "Every pixel that shows the object whole, lit and unclipped is fitted."
+                       : "Forget the " + std::to_string(marks) + " marked pixels and fit to all.");
 }
 
 void modelMenu(FitWish& wish)
@@ -68,6 +93,11 @@ void weightRows(FitWish& wish)
     wish.robust = chosen("outliers", outliers, wish.robust);
 }
 
+bool isReady(const FitWish& wish)
+{
+    return wish.fromPicture ? wish.photograph && wish.photograph->problem.empty() : !wish.file.empty();
+}
+
 void startRow(FitStudy& study)
 {
     if (study.running) {
@@ -79,9 +109,10 @@ void startRow(FitStudy& study)
         tooltip("Starts that have reached their minimum.");
         return;
     }
-    if (ImGui::Button("Fit", {-1, 0}) && !study.wish.file.empty())
-        study.asked = true;
-    tooltip("Searches the parameters with which the model comes nearest to the measurement.");
+    ImGui::BeginDisabled(!isReady(study.wish));
+    study.asked |= ImGui::Button("Fit", {-1, 0});
+    ImGui::EndDisabled();
+    tooltip("Searches the parameters with which the model comes nearest to what was seen.");
 }
 
 void drawNumbers(const FitResult& fit)
@@ -143,14 +174,30 @@ void incidenceRow(FitStudy& study, std::optional<Message>& message)
 void drawControls(ExplorerState& state)
 {
     FitStudy& study = state.fit;
+    static constexpr Choice sources[] = {
+        {"measurement", "Fit to a measured table in a file."},
+        {"picture", "Fit to the pixels of a photograph or a render of the scene's object."}};
     ImGui::BeginChild("controls", {points(controlsWidth), 0}, false, ImGuiWindowFlags_NavFlattened);
-    fileField(study.wish);
+    study.wish.fromPicture = chosen("source", sources, study.wish.fromPicture);
+    if (study.wish.fromPicture)
+        pictureField(study);
+    else
+        fileField(state);
     modelMenu(study.wish);
     weightRows(study.wish);
     startRow(study);
-    if (study.outcome && study.outcome->problem.empty())
+    if (study.outcome && study.outcome->problem.empty() && !study.wish.fromPicture)
         incidenceRow(study, state.message);
     ImGui::EndChild();
+}
+
+void drawCurve(const FitStudy& study, const FitOutcome& outcome)
+{
+    const Model& model = **findModel(outcome.wish.model);
+    drawPlot("plane",
+             chartInPlane(outcome.measurement, model, flatValues(model.text, outcome.fit.values), radians(study.thetaI),
+                          outcome.wish.cosine),
+             ImGui::GetContentRegionAvail());
 }
 
 } // namespace
@@ -167,22 +214,24 @@ void drawFitPage(ExplorerState& state)
     drawControls(state);
     ImGui::SameLine();
     const std::shared_ptr<const FitOutcome> outcome = state.fit.outcome; // a new one may come while this is drawn
-    if (!outcome)
-        return remark(
-            "Name a measured file, choose a model, and fit. The curve then lies over the data, and one click gives "
-            "the scene's surface what was found.");
-    if (!outcome->problem.empty())
-        return remark(outcome->problem, palette::error, Face::Body);
+    const bool isShown = outcome && outcome->problem.empty() && outcome->wish.fromPicture == state.fit.wish.fromPicture;
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float plotWidth = std::max(points(120), room.x - points(numbersWidth));
-    const Model& model = **findModel(outcome->wish.model);
-    drawPlot("plane",
-             chartInPlane(outcome->measurement, model, flatValues(model.text, outcome->fit.values),
-                          radians(state.fit.thetaI), outcome->wish.cosine),
-             {plotWidth, room.y});
+    const float width = std::max(points(120), room.x - points(numbersWidth));
+    ImGui::BeginChild("seen", {width, 0}, false, ImGuiWindowFlags_NavFlattened);
+    if (state.fit.wish.fromPicture)
+        drawPhotograph(state.fit, ImGui::GetContentRegionAvail());
+    else if (isShown)
+        drawCurve(state.fit, *outcome);
+    else
+        remark("Name a measured file, choose a model, and fit. The curve then lies over the data, and one click gives "
+               "the scene's surface what was found.");
+    ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginChild("result", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
-    drawResult(*outcome, state);
+    if (isShown)
+        drawResult(*outcome, state);
+    else if (outcome && !outcome->problem.empty())
+        remark(outcome->problem, palette::error, Face::Body);
     ImGui::EndChild();
 }
 
