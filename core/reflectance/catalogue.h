@@ -7,6 +7,7 @@
 #include "core/reflectance/special_form.h"
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@ struct Kernels {
 struct Model : Kernels {
     ModelText text;
     std::vector<Kernels> otherLobes; ///< with the other forms of the lobe, in their order; empty where it calls none
+    std::shared_ptr<const void> walked = {}; ///< of an own model: keeps alive what its kernels walk; null: compiled
 
     std::vector<std::pair<SpecialForm, Kernels>> specials; ///< the forms that have kernels of their own
 

@@ -25,7 +25,7 @@ bool anyLight(const Scene& scene, LightKind kind)
 
 std::string Requirements::key() const
 {
-    std::string text = model + form.key();
+    std::string text = (own ? own->text.file + own->text.code : model) + form.key();
     const auto append = [&text](bool required, std::string_view name) {
         if (required)
             text.append("+").append(name);
@@ -41,11 +41,17 @@ std::string Requirements::key() const
     return text;
 }
 
+const Model& Requirements::modelUsed() const
+{
+    return own ? *own : **findModel(model);
+}
+
 RequiredModel requiredSurface(const Scene& scene, const Arithmetic& arithmetic)
 {
     const std::vector<double> values = valuesOf(scene);
     RequiredModel required =
-        arithmetic.specialised ? requiredModel(modelOf(scene), values) : generalModel(modelOf(scene), values);
+        arithmetic.specialised && !scene.surface.own ? requiredModel(modelOf(scene), values)
+                                                     : generalModel(modelOf(scene), values);
     if (arithmetic.lobe != LobeForm::Conditioned && required.model->text.usesLobe)
         required.form = {}; // the other forms of the lobe have the general kernels alone
     return required;
@@ -58,6 +64,8 @@ Requirements requirementsOf(const Scene& scene, const Arithmetic& arithmetic)
     Requirements r;
     r.model = model.id();
     r.form = required.form;
+    if (scene.surface.own.get() == &model)
+        r.own = scene.surface.own;
     r.directionalLights = anyLight(scene, LightKind::Directional);
     r.pointLights = anyLight(scene, LightKind::Point);
     r.environment = model.text.usesEnvironment && !isBlack(scene.environment);

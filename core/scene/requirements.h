@@ -13,6 +13,7 @@ namespace reflectance {
 /// Two scenes with equal requirements run the same shader.
 struct Requirements {
     std::string model; ///< the one that is run: see requiredSurface
+    std::shared_ptr<const Model> own; ///< the model, where it is none of the catalogue
     SpecialForm form;
     bool directionalLights = false;
     bool pointLights = false;
@@ -25,8 +26,9 @@ struct Requirements {
 
     friend bool operator==(const Requirements&, const Requirements&) = default;
 
-    /// Unique text for caches: "hybrid+directional".
+    /// Unique text for caches: "hybrid+directional"; an own model stands there with its whole text.
     [[nodiscard]] std::string key() const;
+    [[nodiscard]] const Model& modelUsed() const;
 };
 
 /// The scene's model without its terms that are 0; as it is where the arithmetic is not specialised.

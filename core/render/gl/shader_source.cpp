@@ -75,7 +75,7 @@ ShaderPiece parameterDeclarations(const ModelText& model, const SpecialForm& for
 
 ShaderPiece modelCode(const ModelText& model)
 {
-    return {"shaders/reflectance/" + model.id + ".glsl", model.code};
+    return {model.file, model.code};
 }
 
 std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable, LobeForm lobe, const SpecialForm& form)
