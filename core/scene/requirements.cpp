@@ -49,9 +49,10 @@ const Model& Requirements::modelUsed() const
 RequiredModel requiredSurface(const Scene& scene, const Arithmetic& arithmetic)
 {
     const std::vector<double> values = valuesOf(scene);
+    const Model& model = modelOf(scene);
+    const bool isOwn = scene.surface.own.get() == &model; // nothing is known of its limits
     RequiredModel required =
-        arithmetic.specialised && !scene.surface.own ? requiredModel(modelOf(scene), values)
-                                                     : generalModel(modelOf(scene), values);
+        arithmetic.specialised && !isOwn ? requiredModel(model, values) : generalModel(model, values);
     if (arithmetic.lobe != LobeForm::Conditioned && required.model->text.usesLobe)
         required.form = {}; // the other forms of the lobe have the general kernels alone
     return required;

@@ -12,7 +12,7 @@ namespace reflectance {
 
 /// Two scenes with equal requirements run the same shader.
 struct Requirements {
-    std::string model; ///< the one that is run: see requiredSurface
+    std::string model;                ///< the one that is run: see requiredSurface
     std::shared_ptr<const Model> own; ///< the model, where it is none of the catalogue
     SpecialForm form;
     bool directionalLights = false;
