@@ -17,7 +17,7 @@ namespace reflectance::explorer {
 
 namespace {
 
-constexpr float controlsWidth = 300.0F;
+constexpr float setupWidth = 288.0F, resultWidth = 232.0F;
 
 void surfaceRows(LabWish& wish)
 {
@@ -187,10 +187,10 @@ void incidenceRow(ExplorerState& state)
     numberRow(row, state.lab.thetaI, state.message);
 }
 
-void drawControls(ExplorerState& state, const std::shared_ptr<const LabRun>& run)
+void drawSetup(ExplorerState& state)
 {
     LabStudy& study = state.lab;
-    ImGui::BeginChild("controls", {points(controlsWidth), 0}, false, ImGuiWindowFlags_NavFlattened);
+    ImGui::BeginChild("setup", {points(setupWidth), 0}, false, ImGuiWindowFlags_NavFlattened);
     scrollBarTooltip("More controls above and below.");
     ImGui::BeginDisabled(study.running);
     surfaceRows(study.wish);
@@ -201,11 +201,16 @@ void drawControls(ExplorerState& state, const std::shared_ptr<const LabRun>& run
     startRow(study);
     if (!study.problem.empty())
         remark(study.problem, palette::error);
-    if (run) {
-        incidenceRow(state);
-        useRows(state, *run);
-        remark(stateOf(*run));
-    }
+    ImGui::EndChild();
+}
+
+void drawResult(ExplorerState& state, const LabRun& run)
+{
+    ImGui::BeginChild("result", {points(resultWidth), 0}, false, ImGuiWindowFlags_NavFlattened);
+    scrollBarTooltip("More about this run above and below.");
+    incidenceRow(state);
+    useRows(state, run);
+    remark(stateOf(run));
     ImGui::EndChild();
 }
 
@@ -223,12 +228,14 @@ std::vector<NamedFactor> formulasOf(const Scene& scene)
 void drawLaboratoryPage(ExplorerState& state)
 {
     const std::shared_ptr<const LabRun> run = state.lab.run; // a newer one may come while this is drawn
-    drawControls(state, run);
+    drawSetup(state);
     ImGui::SameLine();
     if (!run)
         return remark("Choose a micro-surface and what its facets are made of, and measure: rays go from every viewer "
                       "to the facets "
                       "and on to the light. The lobe fills in while you watch.");
+    drawResult(state, *run);
+    ImGui::SameLine();
     const std::size_t incidence = nearestIncidence(run->setup, radians(state.lab.thetaI));
     const std::vector<NamedFactor> formulas = formulasOf(state.scene);
     const ImVec2 room = ImGui::GetContentRegionAvail();
