@@ -11,6 +11,7 @@
 #include "core/image/compare.h"
 #include "core/image/picture_file.h"
 #include "core/reflectance/kernel_tables.h"
+#include "core/render/headless/driver_ahead.h"
 #include "core/render/pictures/picture_waterfall.h"
 #include "core/scene/requirements.h"
 #include "core/scene/scene_file.h"
@@ -202,6 +203,7 @@ int run(const Options& asked)
     const auto settings = settingsFrom(options.scene);
     if (!settings)
         return refused(settings.error());
+    const std::jthread driver = plan->backend == Backend::Cpu ? std::jthread() : openDriverAhead(plan->context);
     const auto scene = sceneFrom(options.scene);
     if (!scene)
         return refused(scene.error());

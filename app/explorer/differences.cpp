@@ -1,6 +1,7 @@
 #include "app/explorer/differences.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace reflectance::explorer {
@@ -56,7 +57,7 @@ void pollDifference(Session& session)
     second.measuredPerceived = perceived;
     second.measuredRegion = session.state.compare.region;
     second.work.start([a = session.renderer.readLinear(), b = second.renderer->readLinear(),
-                       exposure = session.state.scene.sensor.exposure, perceived,
+                       exposure = std::log2(gainOf(session.state.scene.sensor)), perceived,
                        region = session.state.compare.region](Progress& progress) {
         return differenceOf(a, b, exposure, perceived, progress, region);
     });

@@ -3,6 +3,7 @@
 #include "app/explorer/differences.h"
 #include "app/explorer/fits.h"
 #include "app/explorer/frame_pace.h"
+#include "app/explorer/lab_runs.h"
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
@@ -203,6 +204,7 @@ void drawOnce(Session& session)
     tryNextHazard(session);
     pollFit(session);
     pollSensorStudy(session);
+    pollLab(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
     const bool busy = session.viewport.dragging() || ImGui::IsAnyItemActive();
     recordTape(session, events.keys, busy || session.state.loading.has_value());
@@ -219,7 +221,7 @@ Reasons reasonsOf(const Session& session)
         .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running ||
                      !session.tape.toPlay.empty() || (session.state.trade.running && !session.trades.steps.busy()),
         .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running ||
-                   session.state.colour.object.running,
+                   session.state.colour.object.running || session.state.lab.running,
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),

@@ -12,9 +12,11 @@ void request(ExplorerState& state, Kind kind, const std::string& path = {})
     state.requests.push_back({kind, path});
 }
 
-/// F2 .. F9 stand for the workbench's first eight pages; -1 for every other key.
+/// F2 .. F10 stand for the workbench's first nine pages; -1 for every other key.
 int pageOfKey(const std::string& key)
 {
+    if (key == "F10")
+        return 8;
     return key.size() == 2 && key[0] == 'F' && key[1] >= '2' && key[1] <= '9' ? key[1] - '2' : -1;
 }
 

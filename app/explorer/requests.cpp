@@ -85,14 +85,36 @@ void saveView(Session& session, const std::string& path)
         complain(session, saved.error());
 }
 
-/// "curves.svg" becomes mug_curves_001.svg or the like.
-void saveText(Session& session, const fs::path& name, const std::string& text)
+/// "curves.svg" becomes mug_curves_001.svg or the like; empty where it could not be written.
+std::string saveText(Session& session, const fs::path& name, const std::string& text)
 {
     const fs::path path =
         freeName(picturesFolder(), session.state.scene.mesh->name, name.stem().string(), name.extension().string());
-    if (const Result<void> saved = writeAtomically(path.string(), text); !saved)
-        return complain(session, saved.error());
+    if (const Result<void> saved = writeAtomically(path.string(), text); !saved) {
+        complain(session, saved.error());
+        return {};
+    }
     tell(session, "Saved: " + path.string());
+    return path.string();
+}
+
+void openText(Session& session, const Request& request)
+{
+    if (std::string path = saveText(session, request.path, request.text); !path.empty())
+        session.toOpen.push_back(std::move(path));
+}
+
+void fitText(Session& session, const Request& request)
+{
+    std::string path = saveText(session, request.path, request.text);
+    if (path.empty())
+        return;
+    FitWish& wish = session.state.fit.wish;
+    wish.file = std::move(path);
+    wish.surface = 1;
+    wish.model = "oren_nayar";
+    session.state.fit.asked = true;
+    session.state.preferences.workbenchPage = "fit";
 }
 
 /// A stroke that is under way would write over what comes back.
@@ -139,6 +161,12 @@ void serve(Session& session, const Request& request)
         break;
     case Kind::SaveText:
         saveText(session, request.path, request.text);
+        break;
+    case Kind::OpenText:
+        openText(session, request);
+        break;
+    case Kind::FitText:
+        fitText(session, request);
         break;
     case Kind::CancelLoading:
         session.loader.cancel();

@@ -36,6 +36,8 @@ struct Session {
     Worker<FitOutcome> fit{Window::wake};
     Worker<Photograph> photograph{Window::wake};
     ScreenTexture photographTexture{Window::loader()};
+    std::shared_ptr<LabLive> labLive = std::make_shared<LabLive>();
+    Worker<LabOutcome> lab{Window::wake};
     Worker<std::vector<Thumbnail>> thumbnails{Window::wake};
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last

@@ -8,6 +8,7 @@
 #include "app/explorer/fit_study.h"
 #include "app/explorer/guide.h"
 #include "app/explorer/history.h"
+#include "app/explorer/lab_study.h"
 #include "app/explorer/object_price.h"
 #include "app/explorer/sensor_study.h"
 #include "app/explorer/surface_shelf.h"
@@ -41,6 +42,8 @@ struct Request {
         ResetView,
         ResetScene,
         SaveText,
+        OpenText,
+        FitText,
         CancelLoading,
         LeaveCase,
         TogglePage,
@@ -55,10 +58,11 @@ struct Request {
     /// OpenFile: a mesh, scene, environment or measurement, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
     /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
     /// session; OpenFile restores it. SaveText: a name such as "curves.svg", made unique in the pictures folder.
+    /// OpenText, FitText: the same, and the file is opened, or Oren-Nayar is fitted to it.
     /// TogglePage: the number of a page of the workbench, from 0. GoToStep: an index into the history's
     /// steps. ShowTour: the number of a step of the tour; empty for the last one seen.
     std::string path;
-    std::string text = {}; ///< SaveText: what is written
+    std::string text = {}; ///< SaveText, OpenText, FitText: what is written
 };
 
 /// Kept between sessions where the desktop's conventions put settings.
@@ -155,6 +159,7 @@ struct ExplorerState {
     CurvesPage curves;
     ColourPage colour;
     FitStudy fit;
+    LabStudy lab;
     TablePage tablePage;
     TradeStudy trade;
 

@@ -39,7 +39,7 @@ inline constexpr Shortcut shortcutTable[] = {
     {"Program", "Ctrl+S", "save the scene"},
     {"Program", "Ctrl+R", "restore the session before a crash, while it is offered"},
     {"Program", "F12, Ctrl+F12", "save a picture of the view, of the whole window"},
-    {"Program", "F2 \u2026 F9", "open or close a page of the workbench"},
+    {"Program", "F2 \u2026 F10", "open or close a page of the workbench"},
     {"Program", "G, Page up, Page down", "the guided tour; its steps"},
     {"Program", "F1", "this page"},
     {"Program", "Esc", "close what is on top, stop loading, leave a hazard's case or the tour"},
