@@ -28,6 +28,7 @@ Result<RenderPlan> planFrom(const RenderOptions& options)
     if (!lobe)
         return lobe.error();
     plan.lobe = *lobe;
+    plan.specialised = !options.general;
     if (options.precision.empty())
         return plan;
     if (options.precision == "glsl")

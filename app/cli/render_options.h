@@ -17,9 +17,11 @@ struct RenderOptions {
     std::string context = "any";
     std::string shading;
     std::string lens;
+    std::string probe; ///< "X,Y" in pixels; empty: none
     std::string lobe;    ///< empty: conditioned, or as a saved picture has
     std::string variant; ///< "A", "B", "side", "wipe" or "difference"; empty: A, or as a saved picture has
     double divider = 0.5;
+    bool general = false; ///< nothing is specialised: terms that are 0 are computed too
     int frames = 1;
     std::string reference;
     double threshold = 0.0;

@@ -20,6 +20,7 @@ struct SceneOptions {
     std::optional<int> samples; ///< per pixel; none: 4, or as a saved picture has
     std::string surface;        ///< of the library; empty: none
     std::string model;
+    std::string modelFile; ///< of an own model; empty: none
     std::vector<std::string> assignments;
     bool showHoles = false;
     std::vector<std::string> lights;
