@@ -59,9 +59,9 @@ Result<LensMap> lensOf(const Scene& scene, const RenderSettings& settings, LensK
     return *std::move(map);
 }
 
-Result<void> writeLens(const std::string& path, const LensMap& map)
+Result<void> writeLens(const std::string& path, const LensMap& map, const Notes& notes)
 {
-    return writePng(path, map.width, map.height, painted(map));
+    return writePng(path, map.width, map.height, painted(map), {}, notes);
 }
 
 nlohmann::ordered_json lensReport(LensKind kind, const LensMap& map)

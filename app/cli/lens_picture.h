@@ -1,6 +1,7 @@
 // `render --lens`: the digits that an arithmetic keeps, as a picture, instead of the view itself.
 #pragma once
 
+#include "core/image/notes.h"
 #include "core/render/headless/headless_context.h"
 #include "core/render/settings.h"
 #include "core/scene/scene.h"
@@ -19,7 +20,7 @@ namespace reflectance::cli {
                                      ContextKind context);
 
 /// Writes the map as a PNG, in the lens' colours.
-[[nodiscard]] Result<void> writeLens(const std::string& path, const LensMap& map);
+[[nodiscard]] Result<void> writeLens(const std::string& path, const LensMap& map, const Notes& notes);
 
 [[nodiscard]] nlohmann::ordered_json lensReport(LensKind kind, const LensMap& map);
 

@@ -1,8 +1,9 @@
 // The program: verbs for scripts, and without a verb the explorer.
 #include "app/cli/command_pages.h"
-#include "app/cli/scene_options.h"
+#include "app/cli/render_options.h"
 #include "app/cli/verbs.h"
 #include "app/explorer/explorer.h"
+#include "app/explorer/tour.h"
 #include "core/render/pictures/render_picture.h"
 #include "core/sensor/picture.h"
 
@@ -19,6 +20,11 @@ constexpr const char* description =
     "Understand, compare and trust reflectance models: illumination -> surface reflectance -> sensor.\n"
     "Without a verb the explorer opens, on the mesh or scene named, else on a clay mug.";
 
+Notes notesFor(const Scene& scene, const Rendered& rendered)
+{
+    return keptNotes(scene, recipeFrom(RenderOptions(), RenderSettings(), rendered.backend, rendered.precision), {});
+}
+
 /// Without a display the default view goes to a picture, and the user learns how to get others.
 int renderInstead(const std::string& input, const std::optional<std::string>& environment)
 {
@@ -32,7 +38,7 @@ int renderInstead(const std::string& input, const std::optional<std::string>& en
     const auto rendered = renderPicture(*scene, RenderSettings(), RenderPlan());
     if (!rendered)
         return refused(rendered.error());
-    const auto saved = savePicture(out, rendered->image, scene->sensor);
+    const auto saved = savePicture(out, rendered->image, scene->sensor, notesFor(*scene, *rendered));
     if (!saved)
         return refused(saved.error());
     std::cerr << "reflectance: there is no display to open a window on, so the view was rendered to " << out
@@ -40,15 +46,12 @@ int renderInstead(const std::string& input, const std::optional<std::string>& en
     return Done;
 }
 
-int explore(const std::string& input, const std::optional<std::string>& environment)
+int explore(const explorer::ExplorerOptions& options)
 {
-    explorer::ExplorerOptions options;
-    options.input = input;
-    options.environment = environment;
     const auto ended = explorer::runExplorer(options);
     if (!ended)
         return refused(ended.error());
-    return *ended == explorer::Outcome::NoDisplay ? renderInstead(input, environment) : Done;
+    return *ended == explorer::Outcome::NoDisplay ? renderInstead(options.input, options.environment) : Done;
 }
 
 /// The command line as it was typed.
@@ -64,10 +67,15 @@ int run(int argc, char** argv)
 {
     CLI::App program(description, "reflectance");
     program.set_version_flag("--version", std::string("reflectance ") + REFLECTANCE_VERSION);
-    std::string input;
-    program.add_option("input", input, "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json)");
-    std::optional<std::string> environment;
-    program.add_option("--environment", environment, "latitude-longitude picture (.exr, .hdr) around the object");
+    explorer::ExplorerOptions options;
+    program.add_option("input", options.input,
+                       "mesh (OBJ, PLY, OFF, STL), stock mesh name, scene file (.json) or saved picture (.png, .exr)");
+    program.add_option("--environment", options.environment,
+                       "latitude-longitude picture (.exr, .hdr) around the object");
+    program.add_option("--tour", options.tour, "begin with this step of the guided tour")
+        ->check(CLI::Range(1, explorer::tourLength()));
+    program.add_option("--record", options.record, "write what you do in the window to this file (JSON), for --replay");
+    program.add_option("--replay", options.replay, "do again what a recording holds");
     bool man = false, completion = false;
     program.add_flag("--man", man, "print the manual page, made from these tables of options");
     program.add_flag("--bash-completion", completion, "print what bash completes, made from the same tables");
@@ -98,7 +106,7 @@ int run(int argc, char** argv)
         std::cout << (man ? manPage(program, REFLECTANCE_VERSION) : bashCompletion(program));
         return Done;
     }
-    return program.get_subcommands().empty() ? explore(input, environment) : exitCode;
+    return program.get_subcommands().empty() ? explore(options) : exitCode;
 }
 
 } // namespace

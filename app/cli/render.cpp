@@ -1,20 +1,19 @@
 // `render`: one picture, by the GL or the CPU renderer, and the figures about it.
 #include "app/cli/lens_picture.h"
 #include "app/cli/long_work.h"
+#include "app/cli/render_options.h"
 #include "app/cli/report.h"
-#include "app/cli/scene_options.h"
 #include "app/cli/verbs.h"
 #include "app/cli/waterfall_report.h"
+#include "app/explorer/shown_picture.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/image/compare.h"
 #include "core/image/picture_file.h"
 #include "core/reflectance/kernel_tables.h"
 #include "core/render/pictures/picture_waterfall.h"
-#include "core/render/pictures/render_picture.h"
 #include "core/scene/requirements.h"
 #include "core/scene/scene_file.h"
-#include "core/sensor/picture.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -23,65 +22,22 @@
 namespace reflectance::cli {
 namespace {
 
-struct Options {
-    SceneOptions scene;
-    std::string out;
-    std::string backend = "auto";
-    std::string precision;
-    std::string context = "any";
-    std::string shading = "pixel";
-    std::string lens;
-    std::string lobe = "conditioned";
-    int frames = 1;
-    std::string reference;
-    double threshold = 0.0;
-    std::string json;
-    bool waterfall = false;
-    std::string truth; ///< a scene file; empty: the scene itself
-};
+using Options = RenderOptions;
 
-Result<RenderPlan> planFrom(const Options& options)
-{
-    RenderPlan plan;
-    plan.backend = options.backend == "gl" ? Backend::Gl : options.backend == "cpu" ? Backend::Cpu : Backend::Auto;
-    plan.context = contextNamed(options.context);
-    plan.frames = options.frames;
-    plan.place = options.shading == "vertex" ? Place::Vertex
-                 : options.shading == "face" ? Place::Face
-                 : options.shading == "once" ? Place::Pixel
-                                             : Place::Sample;
-    const auto lobe = lobeFormNamed(options.lobe);
-    if (!lobe)
-        return lobe.error();
-    plan.lobe = *lobe;
-    if (options.precision.empty())
-        return plan;
-    if (options.precision == "glsl")
-        plan.backend = Backend::Gl;
-    else if (plan.backend == Backend::Gl)
-        return Error{"--precision " + options.precision +
-                     " belongs to the CPU renderer; GL computes in glsl; leave one of the two flags out"};
-    else
-        plan.backend = Backend::Cpu;
-    plan.precision = options.precision == "float"  ? Precision::Float
-                     : options.precision == "simd" ? Precision::Simd
-                                                   : Precision::Double;
-    return plan;
-}
-
-nlohmann::ordered_json report(const Options& options, const Scene& scene, const RenderSettings& settings,
+nlohmann::ordered_json report(const Options& options, const Scene& scene, const Recipe& recipe,
                               const Rendered& rendered, const SensorCounts& counts,
                               const std::optional<Waterfall>& waterfall)
 {
     nlohmann::ordered_json figures{{"out", options.out},
-                                   {"width", settings.width},
-                                   {"height", settings.height},
-                                   {"samples", settings.samplesPerAxis * settings.samplesPerAxis},
+                                   {"variant", nameOf(recipe.shown)},
+                                   {"width", recipe.width},
+                                   {"height", recipe.height},
+                                   {"samples", recipe.samplesPerAxis * recipe.samplesPerAxis},
                                    {"model", scene.surface.model},
                                    {"triangles", scene.mesh->triangles.size()},
                                    {"backend", rendered.backend},
                                    {"precision", rendered.precision},
-                                   {"lobe", options.lobe},
+                                   {"lobe", recipe.lobe},
                                    {"first_frame_ms", rendered.firstFrameMilliseconds},
                                    {"shading_ms", rendered.shadingMilliseconds},
                                    {"negative_pixels", counts.negative},
@@ -127,10 +83,30 @@ Result<Image> asWritten(const std::string& path)
     return std::move(picture->image);
 }
 
-Result<Rendered> renderWatched(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
+/// The picture that was asked for, and what the last rendering of it took.
+struct Made {
+    explorer::ShownPicture picture;
+    Recipe recipe;
+    Rendered last; ///< without its image
+};
+
+Result<Made> make(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
 {
     const LongWork work;
-    return renderPicture(scene, settings, plan, &LongWork::progress());
+    Made made{{}, recipeFrom(options, settings, "cpu", "double"), {}};
+    const auto render = [&](const Scene& variant, int width, int height) -> Result<Image> {
+        auto rendered = renderPicture(variant, {width, height, settings.samplesPerAxis}, plan, &LongWork::progress());
+        if (!rendered)
+            return rendered.error();
+        made.last = *std::move(rendered);
+        return std::exchange(made.last.image, {});
+    };
+    auto picture = explorer::shownPicture(scene, made.recipe, render);
+    if (!picture)
+        return picture.error();
+    made.picture = *std::move(picture);
+    made.recipe = recipeFrom(options, settings, made.last.backend, made.last.precision);
+    return made;
 }
 
 /// The lens looks at one arithmetic by itself; flags that choose another contradict it.
@@ -139,33 +115,18 @@ Result<void> checkLens(const Options& options)
     if (!options.out.ends_with(".png"))
         return Error{"--lens paints a PNG; name the output .png"};
     const std::pair<const char*, bool> others[] = {
-        {"--precision", !options.precision.empty()}, {"--backend", options.backend != "auto"},
-        {"--shading", options.shading != "pixel"},   {"--lobe", options.lobe != "conditioned"},
-        {"--frames", options.frames != 1},           {"--reference", !options.reference.empty()},
+        {"--precision", !options.precision.empty()},
+        {"--backend", options.backend != "auto"},
+        {"--shading", !options.shading.empty() && options.shading != "pixel"},
+        {"--lobe", !options.lobe.empty() && options.lobe != "conditioned"},
+        {"--frames", options.frames != 1},
+        {"--variant", !options.variant.empty() && options.variant != "A"},
+        {"--reference", !options.reference.empty()},
         {"--waterfall", options.waterfall}};
     for (const auto& [flag, given] : others)
         if (given)
             return Error{std::string("--lens compares one arithmetic with double; leave ") + flag + " out"};
     return {};
-}
-
-/// From the truth to what was written, where it was asked for.
-Result<std::optional<Waterfall>> waterfallFrom(const Options& options, const Scene& scene,
-                                               const RenderSettings& settings, const Image& rendered)
-{
-    if (!options.waterfall)
-        return std::optional<Waterfall>();
-    auto truth = options.truth.empty() ? Result<Scene>(scene) : loadScene(options.truth);
-    if (!truth)
-        return truth.error();
-    const LongWork work;
-    auto waterfall = waterfallOf(picturesToTruth(scene, *truth, settings, rendered, &LongWork::progress()));
-    if (LongWork::wasStopped())
-        return Error{"stopped before the waterfall was measured"};
-    if (!waterfall)
-        return waterfall.error();
-    printWaterfall(*waterfall);
-    return std::optional(*std::move(waterfall));
 }
 
 int runLens(const Options& options, const Scene& scene, const RenderSettings& settings)
@@ -174,20 +135,65 @@ int runLens(const Options& options, const Scene& scene, const RenderSettings& se
     const auto map = lensOf(scene, settings, kind, contextNamed(options.context));
     if (!map)
         return refused(map.error(), LongWork::wasStopped() ? Stopped : BadInput);
-    if (const auto written = writeLens(options.out, *map); !written)
+    const Notes notes = explorer::notesFor(options.out, scene, recipeFrom(options, settings, "cpu", "float"));
+    if (const auto written = writeLens(options.out, *map, notes); !written)
         return refused(written.error());
     const auto reported = writeReport(options.json, lensReport(kind, *map));
     return reported ? Done : refused(reported.error());
 }
 
-int run(const Options& options)
+/// From the truth to what was written, where it was asked for.
+Result<std::optional<Waterfall>> waterfallFrom(const Options& options, const Scene& scene,
+                                               const RenderSettings& settings, const Made& made)
 {
-    const auto format = outputFormat(options.out);
+    if (!options.waterfall)
+        return std::optional<Waterfall>();
+    if (made.recipe.shown != VariantView::A)
+        return Error{"--waterfall follows one surface, A; leave --variant out"};
+    auto truth = options.truth.empty() ? Result<Scene>(scene) : loadScene(options.truth);
+    if (!truth)
+        return truth.error();
+    const LongWork work;
+    auto waterfall = waterfallOf(picturesToTruth(scene, *truth, settings, made.picture.linear, &LongWork::progress()));
+    if (LongWork::wasStopped())
+        return Error{"stopped before the waterfall was measured"};
+    if (!waterfall)
+        return waterfall.error();
+    printWaterfall(*waterfall);
+    return std::optional(*std::move(waterfall));
+}
+
+int renderAndReport(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
+{
+    const auto made = make(options, scene, settings, plan);
+    if (!made)
+        return refused(made.error(), LongWork::wasStopped() ? Stopped : BadInput);
+    if (const auto saved = saveShown(options.out, made->picture, scene, made->recipe); !saved)
+        return refused(saved.error());
+    const auto waterfall = waterfallFrom(options, scene, settings, *made);
+    if (!waterfall)
+        return refused(waterfall.error(), LongWork::wasStopped() ? Stopped : BadInput);
+    const auto figures = report(options, scene, made->recipe, made->last, made->picture.codes.counts, *waterfall);
+    if (const auto written = writeReport(options.json, figures); !written)
+        return refused(written.error());
+    if (options.reference.empty())
+        return Done;
+    const auto image = asWritten(options.out);
+    return image ? compareWithReference(options, *image) : refused(image.error());
+}
+
+int run(const Options& asked)
+{
+    const auto format = outputFormat(asked.out);
     if (!format)
         return refused(format.error());
-    for (const std::string& file : {options.out, options.json})
+    for (const std::string& file : {asked.out, asked.json})
         if (const auto writable = checkWritable(file); !writable && !file.empty() && file != "-")
             return refused(writable.error());
+    const auto recipe = recipeOf(asked.scene);
+    if (!recipe)
+        return refused(recipe.error());
+    const Options options = *recipe ? completed(asked, **recipe) : asked;
     const auto plan = planFrom(options);
     if (!plan)
         return refused(plan.error());
@@ -201,25 +207,8 @@ int run(const Options& options)
         return refused(scene.error());
     if (const auto fits = checkLobe(*scene, plan->lobe); !fits)
         return refused(fits.error());
-    if (!options.lens.empty())
-        return runLens(options, *scene, *settings);
-    const auto rendered = renderWatched(*scene, *settings, *plan);
-    if (!rendered)
-        return refused(rendered.error(), LongWork::wasStopped() ? Stopped : BadInput);
-    const auto counts = savePicture(options.out, rendered->image, scene->sensor);
-    if (!counts)
-        return refused(counts.error());
-    const auto waterfall = waterfallFrom(options, *scene, *settings, rendered->image);
-    if (!waterfall)
-        return refused(waterfall.error(), LongWork::wasStopped() ? Stopped : BadInput);
-    if (const auto written =
-            writeReport(options.json, report(options, *scene, *settings, *rendered, *counts, *waterfall));
-        !written)
-        return refused(written.error());
-    if (options.reference.empty())
-        return Done;
-    const auto image = asWritten(options.out);
-    return image ? compareWithReference(options, *image) : refused(image.error());
+    return options.lens.empty() ? renderAndReport(options, *scene, *settings, *plan)
+                                : runLens(options, *scene, *settings);
 }
 
 } // namespace
@@ -241,20 +230,23 @@ void addRender(CLI::App& program, int& exitCode)
     verb->add_option("--context", options->context, "GL context: any, osmesa or egl")
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
         ->capture_default_str();
-    verb->add_option(
-            "--shading", options->shading,
-            "where the model is evaluated: pixel (at every sample), once (per pixel), vertex (interpolated over "
-            "triangles; CPU) or face (CPU)")
-        ->check(CLI::IsMember({"pixel", "once", "vertex", "face"}))
-        ->capture_default_str();
-    verb->add_option(
-            "--lobe", options->lobe,
-            "how a highlight's (R.V)^n is computed: conditioned (right), power, squarings (whole n), truncated, "
-            "schlick or table")
-        ->capture_default_str();
+    verb->add_option("--shading", options->shading,
+                     "where the model is evaluated: pixel (at every sample, the default), once (per pixel), vertex "
+                     "(interpolated over triangles; CPU) or face (CPU)")
+        ->check(CLI::IsMember({"pixel", "once", "vertex", "face"}));
+    verb->add_option("--lobe", options->lobe,
+                     "how a highlight's (R.V)^n is computed: conditioned (right, the default), power, squarings (whole "
+                     "n), truncated, schlick or table");
     verb->add_option("--lens", options->lens,
                      "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
         ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));
+    verb->add_option("--variant", options->variant,
+                     "of a scene with two surfaces: A (the default), B, both side by side or in a wipe, or the signed "
+                     "difference of luminance, B less A (PNG)")
+        ->check(CLI::IsMember({"A", "B", "side", "wipe", "difference"}));
+    verb->add_option("--divider", options->divider, "of a wipe: A's share of the width")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
     verb->add_option("--frames", options->frames, "shade this often and report the median time")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();

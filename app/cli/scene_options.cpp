@@ -114,10 +114,29 @@ Result<void> setBackground(const std::string& text, Background& background)
     return {};
 }
 
+bool isPicture(const std::string& input)
+{
+    return lowered(input).ends_with(".png") || lowered(input).ends_with(".exr");
+}
+
+/// Scene files and pictures hold a whole scene, its camera included.
+bool holdsScene(const std::string& input)
+{
+    return lowered(input).ends_with(".json") || isPicture(input);
+}
+
+Result<Scene> sceneOfPicture(const std::string& input)
+{
+    auto kept = loadKept(input);
+    if (!kept)
+        return kept.error();
+    return std::move(kept->scene);
+}
+
 Result<Scene> openInput(const std::string& input, bool smooth)
 {
-    const bool isScene = lowered(input).ends_with(".json");
-    auto scene = isScene ? loadScene(input) : Result(defaultScene());
+    const bool isScene = holdsScene(input);
+    auto scene = isPicture(input) ? sceneOfPicture(input) : isScene ? loadScene(input) : Result(defaultScene());
     if (!scene || (!smooth && (isScene || input.empty())))
         return scene;
     if (!isScene && !input.empty())
@@ -181,12 +200,13 @@ Result<void> setLights(const SceneOptions& options, std::vector<Light>& lights)
 
 void addSceneOptions(CLI::App& verb, SceneOptions& options)
 {
-    verb.add_option("input", options.input,
-                    "mesh (OBJ, PLY, OFF, STL), stock mesh name, or scene file (.json); default: the mug");
+    verb.add_option(
+        "input", options.input,
+        "mesh (OBJ, PLY, OFF, STL), stock mesh name, scene file (.json) or a picture that this program saved "
+        "(.png, .exr); default: the mug");
     verb.add_flag("--smooth", options.smooth, "compute the normals anew: faceted files look round");
     verb.add_option("--size", options.size, "WxH in pixels");
-    verb.add_option("--samples", options.samples, "samples per pixel: 1, 4, 9, 16, 25, 36, 49 or 64")
-        ->capture_default_str();
+    verb.add_option("--samples", options.samples, "samples per pixel: 1, 4, 9, 16, 25, 36, 49 or 64 (default 4)");
     verb.add_option("--surface", options.surface,
                     "a surface of the library, by id or name: its model and parameters; 'reflectance surfaces' lists "
                     "them; --model and --set come after it");
@@ -257,16 +277,26 @@ Result<Camera> parseCamera(const std::string& text, Camera camera, double aspect
     return camera;
 }
 
+Result<std::optional<Recipe>> recipeOf(const SceneOptions& options)
+{
+    if (!isPicture(options.input))
+        return std::optional<Recipe>();
+    const auto kept = loadKept(options.input);
+    if (!kept)
+        return kept.error();
+    return std::optional(kept->recipe);
+}
+
 Result<RenderSettings> settingsFrom(const SceneOptions& options, RenderSettings fallback)
 {
     if (options.size.empty())
-        return checkedSettings(fallback.width, fallback.height, options.samples);
+        return checkedSettings(fallback.width, fallback.height, options.samples.value_or(4));
     const auto sides = split(options.size, 'x');
     const auto width = parseInteger(sides[0]);
     const auto height = sides.size() == 2 ? parseInteger(sides[1]) : std::nullopt;
     if (!width || !height || std::abs(*width) > 1000000 || std::abs(*height) > 1000000)
         return Error{"--size " + options.size + ": write WIDTHxHEIGHT, as in 1024x768"};
-    return checkedSettings(static_cast<int>(*width), static_cast<int>(*height), options.samples);
+    return checkedSettings(static_cast<int>(*width), static_cast<int>(*height), options.samples.value_or(4));
 }
 
 Result<Scene> sceneFrom(const SceneOptions& options)
@@ -278,7 +308,7 @@ Result<Scene> sceneFrom(const SceneOptions& options)
     auto scene = openInput(options.input, options.smooth);
     if (!scene)
         return scene;
-    if (!lowered(options.input).ends_with(".json"))
+    if (!holdsScene(options.input))
         scene->camera = framed(scene->camera, aspect);
     if (!options.camera.empty()) {
         auto camera = parseCamera(options.camera, scene->camera, aspect);
@@ -288,6 +318,8 @@ Result<Scene> sceneFrom(const SceneOptions& options)
     }
     if (const auto set = setSurface(options, scene->surface); !set)
         return set.error();
+    if (scene->other)
+        scene->other->showHoles = options.showHoles;
     if (const auto set = setLights(options, scene->lights); !set)
         return set.error();
     if (!options.environment.empty())

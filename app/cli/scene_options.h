@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/render/settings.h"
+#include "core/scene/kept_picture.h"
 #include "core/scene/scene.h"
 
 #include <CLI/App.hpp>
@@ -13,11 +14,11 @@
 namespace reflectance::cli {
 
 struct SceneOptions {
-    std::string input;   ///< mesh, stock mesh name or scene file; empty: the default scene
+    std::string input;   ///< mesh, stock mesh name, scene file or saved picture; empty: the default scene
     bool smooth = false; ///< normals computed anew
     std::string size;
-    int samples = 4;
-    std::string surface; ///< of the library; empty: none
+    std::optional<int> samples; ///< per pixel; none: 4, or as a saved picture has
+    std::string surface;        ///< of the library; empty: none
     std::string model;
     std::vector<std::string> assignments;
     bool showHoles = false;
@@ -35,6 +36,9 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options);
 
 /// The scene that the flags describe.
 [[nodiscard]] Result<Scene> sceneFrom(const SceneOptions& options);
+
+/// How a picture that is the input was made; none where the input is something else.
+[[nodiscard]] Result<std::optional<Recipe>> recipeOf(const SceneOptions& options);
 
 /// Size and samples, checked. `fallback` is used where --size was not given.
 [[nodiscard]] Result<RenderSettings> settingsFrom(const SceneOptions& options, RenderSettings fallback = {});

@@ -1,6 +1,7 @@
 #include "app/explorer/autosave.h"
 
 #include "core/base/file.h"
+#include "core/scene/same_scene.h"
 #include "core/scene/scene_file.h"
 
 #include <nlohmann/json.hpp>
@@ -13,13 +14,6 @@ namespace reflectance::explorer {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool same(const Scene& a, const Scene& b)
-{
-    return a.meshFile == b.meshFile && a.recomputeNormals == b.recomputeNormals && a.camera == b.camera &&
-           a.lights == b.lights && a.environment == b.environment && a.background == b.background &&
-           a.surface == b.surface && a.other == b.other && a.sensor == b.sensor;
-}
 
 std::chrono::seconds ageOf(const fs::path& file)
 {
@@ -66,7 +60,7 @@ void Autosave::watch(const Scene& scene, Clock::time_point now)
         note(writing_.get());
     if (folder_.empty())
         return;
-    if (!seen_ || !same(*seen_, scene)) {
+    if (!seen_ || *seen_ != scene) {
         seen_ = scene;
         due_ = due_.value_or(now + pause); // the first change counts: a long drag is kept while it lasts
     }

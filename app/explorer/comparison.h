@@ -21,6 +21,8 @@ struct BeforeClay {
     Camera camera;
     bool comparing = false;
     CompareMode mode = CompareMode::SideBySide;
+
+    friend bool operator==(const BeforeClay&, const BeforeClay&) = default;
 };
 
 struct CompareView {
@@ -31,6 +33,9 @@ struct CompareView {
     bool holdsDivider = false;                ///< the mouse has it
     std::optional<DifferenceFigures> figures; ///< of the last pictures; none before they are measured
     double scale = 0.0;                       ///< of the difference map, linear; 0 before the first
+    std::optional<Region> region;             ///< of each pane: where the figures are taken; none: the whole object
+    Region regionStart;                       ///< its first corner, while it is drawn
+    bool drawsRegion = false;                 ///< the mouse draws it
     std::optional<BeforeClay> beforeClay;
 };
 

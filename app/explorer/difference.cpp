@@ -2,6 +2,7 @@
 
 #include "core/image/colour_difference.h"
 #include "core/image/compare.h"
+#include "core/image/flip.h"
 
 #include <algorithm>
 #include <array>
@@ -58,6 +59,23 @@ Lab labAt(const Image& image, std::size_t pixel, float exposed)
     return labOfDisplayed(shown.data());
 }
 
+/// As a display shows it.
+Image exposedImage(Image image, float factor)
+{
+    for (float& value : image.rgb)
+        value *= factor;
+    return image;
+}
+
+double flipOver(const std::vector<std::size_t>& covered, const Image& a, const Image& b, float exposed)
+{
+    const std::vector<float> map = FlipReference(exposedImage(a, exposed)).mapOf(exposedImage(b, exposed));
+    double sum = 0.0;
+    for (const std::size_t pixel : covered)
+        sum += static_cast<double>(map[pixel]);
+    return covered.empty() ? 0.0 : sum / static_cast<double>(covered.size());
+}
+
 /// False where cancelled.
 bool perceive(const Image& a, const Image& b, const std::vector<std::size_t>& covered, double exposure,
               DifferenceFigures& figures, Progress& progress)
@@ -72,7 +90,29 @@ bool perceive(const Image& a, const Image& b, const std::vector<std::size_t>& co
     }
     figures.deltaEMax = errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
     figures.deltaEP95 = quantile(errors, 0.95);
+    figures.flipMean = flipOver(covered, a, b, exposed);
     return true;
+}
+
+/// Nothing where cancelled.
+std::optional<DifferenceFigures> figuresOf(const Image& a, const Image& b, double exposure, bool perceived,
+                                           Progress& progress)
+{
+    const auto metrics = compared(a, b);
+    if (!metrics)
+        return std::nullopt;
+    const std::vector<std::size_t> covered = coveredPixels(a);
+    DifferenceFigures figures;
+    figures.identical = metrics->identical;
+    figures.pixels = covered.size();
+    figures.maxAbs = metrics->maxAbs;
+    // Beside the object both show the same background: it takes part in the mean with zeros only.
+    const auto share = static_cast<double>(std::max<std::size_t>(1, covered.size())) /
+                       static_cast<double>(std::max<std::size_t>(1, a.pixels()));
+    figures.rmse = metrics->rmse / std::sqrt(share);
+    if (progress.cancel || (perceived && !perceive(a, b, covered, exposure, figures, progress)))
+        return std::nullopt;
+    return figures;
 }
 
 void paintBesideObject(const Image& a, std::vector<std::uint8_t>& rgb)
@@ -95,28 +135,42 @@ double roundScale(double largest)
     return 10.0 * decade;
 }
 
-std::optional<DifferencePicture> differenceOf(const Image& a, const Image& b, double exposure, bool perceived,
-                                              Progress& progress)
+Image cropped(const Image& image, const Region& region)
 {
-    const auto metrics = compared(a, b);
-    if (!metrics)
+    const auto pixel = [](double share, int size) {
+        return std::clamp(static_cast<int>(std::lround(share * size)), 0, size);
+    };
+    const int left = std::min(pixel(region.left, image.width), image.width - 1);
+    const int top = std::min(pixel(region.top, image.height), image.height - 1);
+    const int width = std::max(1, pixel(region.right, image.width) - left);
+    const int height = std::max(1, pixel(region.bottom, image.height) - top);
+    Image part(width, height);
+    for (int y = 0; y < height; ++y) {
+        std::copy_n(image.at(left, top + y), 3 * static_cast<std::ptrdiff_t>(width), part.at(0, y));
+        for (int x = 0; x < width && !image.coverage.empty(); ++x)
+            part.coverage[static_cast<std::size_t>(y * width + x)] =
+                image.coverage[Image::pixelCount(image.width, top + y) + static_cast<std::size_t>(left + x)];
+    }
+    return part;
+}
+
+std::optional<DifferencePicture> differenceOf(const Image& a, const Image& b, double exposure, bool perceived,
+                                              Progress& progress, const std::optional<Region>& region)
+{
+    if (a.width != b.width || a.height != b.height)
         return std::nullopt;
-    const std::vector<std::size_t> covered = coveredPixels(a);
     DifferencePicture picture;
     picture.width = a.width;
     picture.height = a.height;
-    picture.figures.identical = metrics->identical;
-    picture.figures.pixels = covered.size();
-    picture.figures.maxAbs = metrics->maxAbs;
-    // Beside the object both show the same background: it takes part in the mean with zeros only.
-    const auto share = static_cast<double>(std::max<std::size_t>(1, covered.size())) /
-                       static_cast<double>(std::max<std::size_t>(1, a.pixels()));
-    picture.figures.rmse = metrics->rmse / std::sqrt(share);
-    picture.scale = scaleFor(a, b, covered);
+    picture.scale = scaleFor(a, b, coveredPixels(a));
     picture.rgb = differenceMap(a, b, picture.scale);
     paintBesideObject(a, picture.rgb);
-    if (progress.cancel || (perceived && !perceive(a, b, covered, exposure, picture.figures, progress)))
+    const auto figures = region ? figuresOf(cropped(a, *region), cropped(b, *region), exposure, perceived, progress)
+                                : figuresOf(a, b, exposure, perceived, progress);
+    if (!figures)
         return std::nullopt;
+    picture.figures = *figures;
+    picture.figures.ofRegion = region.has_value();
     return picture;
 }
 

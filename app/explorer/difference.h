@@ -16,6 +16,15 @@ struct DifferenceFigures {
     std::size_t pixels = 0;
     double rmse = 0.0, maxAbs = 0.0;            ///< over all channels
     std::optional<double> deltaEP95, deltaEMax; ///< dE2000 as a display shows them; none where it was not asked for
+    std::optional<double> flipMean;             ///< FLIP, mean over the object; with the same condition
+    bool ofRegion = false;                      ///< of a part of the picture only
+};
+
+/// A part of a picture, as shares of its width and height, 0 .. 1.
+struct Region {
+    double left = 0.0, top = 0.0, right = 1.0, bottom = 1.0;
+
+    friend bool operator==(const Region&, const Region&) = default;
 };
 
 /// B - A in luminance as 8-bit sRGB, rows from the top: blue where B is darker, red where it is brighter, full colour from
@@ -30,9 +39,13 @@ struct DifferencePicture {
 /// The smallest of 1, 2 and 5 times a power of ten that is not below `largest`; 1 for what is no positive number.
 [[nodiscard]] double roundScale(double largest);
 
-/// Both pictures are of the same view. dE2000 takes long: only where `perceived`. `exposure` is the sensor's. Nothing where
-/// `progress` was cancelled.
+/// Both pictures are of the same view. dE2000 and FLIP take long: only where `perceived`. `exposure` is the sensor's. The
+/// figures are of the region's pixels where one is given, the map is of all. Nothing where `progress` was cancelled.
 [[nodiscard]] std::optional<DifferencePicture> differenceOf(const Image& a, const Image& b, double exposure,
-                                                            bool perceived, Progress& progress);
+                                                            bool perceived, Progress& progress,
+                                                            const std::optional<Region>& region = {});
+
+/// The region's pixels, at least one.
+[[nodiscard]] Image cropped(const Image& image, const Region& region);
 
 } // namespace reflectance::explorer

@@ -1,6 +1,7 @@
 #include "app/explorer/differences.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace reflectance::explorer {
@@ -15,7 +16,8 @@ double restOwed(const Session& session)
 
 bool current(const Session& session)
 {
-    return session.second.measured == session.viewport.pictures;
+    return session.second.measured == session.viewport.pictures &&
+           session.second.measuredRegion == session.state.compare.region;
 }
 
 void takeOver(Session& session)
@@ -53,9 +55,12 @@ void pollDifference(Session& session)
     const bool perceived = restOwed(session) <= 0.0;
     second.measured = session.viewport.pictures;
     second.measuredPerceived = perceived;
+    second.measuredRegion = session.state.compare.region;
     second.work.start([a = session.renderer.readLinear(), b = second.renderer->readLinear(),
-                       exposure = session.state.scene.sensor.exposure,
-                       perceived](Progress& progress) { return differenceOf(a, b, exposure, perceived, progress); });
+                       exposure = std::log2(gainOf(session.state.scene.sensor)), perceived,
+                       region = session.state.compare.region](Progress& progress) {
+        return differenceOf(a, b, exposure, perceived, progress, region);
+    });
 }
 
 } // namespace reflectance::explorer

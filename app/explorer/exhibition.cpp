@@ -6,6 +6,26 @@
 
 namespace reflectance::explorer {
 
+void putAside(ExplorerState& state, std::string title, std::string caption)
+{
+    if (!state.putAside)
+        state.putAside = PutAside{state.scene,
+                                  state.selectedLight,
+                                  state.soloLight,
+                                  state.turntable,
+                                  state.compare.on,
+                                  state.compare.mode,
+                                  {},
+                                  {}};
+    state.putAside->title = std::move(title);
+    state.putAside->caption = std::move(caption);
+    state.soloLight = -1;
+    state.turntable = false;
+    state.compare.on = false;
+    state.compare.handOnB = false;
+    state.compare.beforeClay.reset();
+}
+
 void showCase(ExplorerState& state, const Finding& finding)
 {
     Exhibit exhibit = exhibitOf(finding);
@@ -13,15 +33,10 @@ void showCase(ExplorerState& state, const Finding& finding)
         state.message = Message{finding.id + ", " + finding.danger + ": " + exhibit.caption, false};
         return;
     }
-    if (!state.putAside)
-        state.putAside =
-            PutAside{std::move(state.scene), state.selectedLight, state.soloLight, state.turntable, {}, {}};
-    state.putAside->title = finding.id + "  " + finding.danger;
-    state.putAside->caption = std::move(exhibit.caption);
+    putAside(state, finding.id + "  " + finding.danger, std::move(exhibit.caption));
+    state.guide.number = 0;
     state.scene = *std::move(exhibit.scene);
     state.selectedLight = state.scene.lights.empty() ? -1 : 0;
-    state.soloLight = -1;
-    state.turntable = false;
     state.message.reset();
 }
 
@@ -34,6 +49,11 @@ bool leaveCase(ExplorerState& state)
     state.selectedLight = users->selectedLight;
     state.soloLight = users->soloLight;
     state.turntable = users->turntable;
+    state.compare.on = users->comparing;
+    state.compare.mode = users->mode;
+    state.compare.handOnB = false;
+    state.compare.beforeClay.reset();
+    state.guide.number = 0;
     return true;
 }
 

@@ -3,16 +3,18 @@
 #include "app/explorer/differences.h"
 #include "app/explorer/fits.h"
 #include "app/explorer/frame_pace.h"
+#include "app/explorer/lab_runs.h"
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
 #include "app/explorer/requests.h"
 #include "app/explorer/sensor_polls.h"
 #include "app/explorer/session.h"
-#include "app/explorer/thumbnails.h"
 #include "app/explorer/study_renderer.h"
+#include "app/explorer/thumbnails.h"
 #include "app/explorer/trades.h"
 #include "app/explorer/trust_view.h"
+#include "app/explorer/ui/guide_card.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/user_folders.h"
 
@@ -94,6 +96,22 @@ void drawBench(ExplorerState& state, const Layout& layout, float scale)
     ImGui::End();
 }
 
+/// The picture, and beside it the tour's card.
+void drawView(Session& session, Area picture, float scale)
+{
+    ExplorerState& state = session.state;
+    if (state.guide.number > 0) {
+        beginArea("##guide", takeGuideColumn(picture, scale), ImGuiWindowFlags_None, true);
+        drawGuideCard(state);
+        ImGui::End();
+    }
+    beginArea("##view", picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
+    drawViewport(state, session.viewport, session.renderer, session.second, picture, session.window.pixelsPerPoint(),
+                 scale);
+    drawTrust(session, picture);
+    ImGui::End();
+}
+
 void drawInterface(Session& session)
 {
     ExplorerState& state = session.state;
@@ -111,11 +129,7 @@ void drawInterface(Session& session)
     drawPanels(state);
     ImGui::End();
     drawSplitter(state, layout.splitter, width, scale);
-    beginArea("##view", layout.picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
-    drawViewport(state, session.viewport, session.renderer, session.second, layout.picture,
-                 session.window.pixelsPerPoint(), scale);
-    drawTrust(session, layout.picture);
-    ImGui::End();
+    drawView(session, layout.picture, scale);
     drawBench(state, layout, scale);
     beginArea("##status", layout.status, ImGuiWindowFlags_NoScrollWithMouse, true);
     drawStatusLine(state);
@@ -143,7 +157,7 @@ void saveAskedWindowPicture(Session& session)
     if (!path)
         return;
     const Result<std::string> saved =
-        saveWindowPicture(session.state, session.window.framebuffer(), Window::loader(), *path);
+        saveWindowPicture(session.state, session.viewport, session.window.framebuffer(), Window::loader(), *path);
     session.state.message = saved ? Message{"Window saved: " + *saved, false} : Message{saved.error().sentence(), true};
 }
 
@@ -153,6 +167,13 @@ void keepSession(Session& session)
     session.state.earlierSessions = session.autosave.earlier();
     if (const std::optional<Error> problem = session.autosave.takeProblem())
         session.state.message = Message{"The session is not kept against a crash: " + problem->sentence(), true};
+}
+
+void noteHistory(Session& session)
+{
+    ExplorerState& state = session.state;
+    const bool busy = session.viewport.dragging() || ImGui::IsAnyItemActive();
+    state.history.watch(state, {busy, state.turntable, state.loading.has_value()}, Clock::now());
 }
 
 void titleWindow(Session& session)
@@ -166,6 +187,7 @@ void drawOnce(Session& session)
     const Events events = session.window.takeEvents();
     for (const KeyPress& key : events.keys)
         press(key, session.state);
+    playTape(session);
     session.toOpen.insert(session.toOpen.end(), events.dropped.begin(), events.dropped.end());
     session.state.drawSoon = false;
     session.window.beginFrame();
@@ -182,7 +204,11 @@ void drawOnce(Session& session)
     tryNextHazard(session);
     pollFit(session);
     pollSensorStudy(session);
+    pollLab(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
+    const bool busy = session.viewport.dragging() || ImGui::IsAnyItemActive();
+    recordTape(session, events.keys, busy || session.state.loading.has_value());
+    noteHistory(session);
     keepSession(session);
     titleWindow(session);
 }
@@ -193,9 +219,9 @@ Reasons reasonsOf(const Session& session)
     const bool refine = session.viewport.refinementOwed && !session.viewport.dragging();
     return {
         .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running ||
-                     (session.state.trade.running && !session.trades.steps.busy()),
+                     !session.tape.toPlay.empty() || (session.state.trade.running && !session.trades.steps.busy()),
         .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running ||
-                   session.state.colour.object.running,
+                   session.state.colour.object.running || session.state.lab.running,
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),
@@ -248,6 +274,13 @@ void keepPreferences(Session& session)
 
 Result<Outcome> runExplorer(const ExplorerOptions& options)
 {
+    std::optional<Recording> recording;
+    if (!options.replay.empty()) {
+        Result<Recording> loaded = loadRecording(options.replay);
+        if (!loaded)
+            return loaded.error();
+        recording = *std::move(loaded);
+    }
     const std::optional<Desktop> desktop = Desktop::connect();
     if (!desktop)
         return Outcome::NoDisplay;
@@ -269,6 +302,13 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
         session.state.message = Message{preferences.error().sentence(), true};
     openAtStart(session, options);
     session.autosave.settle(session.state.scene);
+    if (recording)
+        loadTape(session, *recording);
+    noteHistory(session);
+    if (!options.record.empty())
+        startRecording(session, options.record);
+    if (options.tour > 0)
+        session.state.requests.push_back({Request::Kind::ShowTour, std::to_string(options.tour)});
     runLoop(session);
     session.autosave.end();
     keepPreferences(session);

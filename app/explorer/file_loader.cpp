@@ -1,5 +1,6 @@
 #include "app/explorer/file_loader.h"
 
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/geometry/load.h"
 #include "core/scene/scene_file.h"
@@ -52,13 +53,24 @@ struct FileLoader::Job {
         return table ? asContent(std::move(table)) : Result<Content>(scene.error());
     }
 
+    /// A picture that this program saved restores its session; other linear pictures surround the object.
+    [[nodiscard]] Result<Content> readPicture(bool linear) const
+    {
+        const auto bytes = readWholeFile(path);
+        if (!bytes)
+            return bytes.error();
+        if (linear && !carriesSession(*bytes))
+            return asContent(loadEnvironment(path));
+        return asContent(keptIn(*bytes, path));
+    }
+
     [[nodiscard]] Result<Content> read()
     {
         const std::string ending = lowered(std::filesystem::path(path).extension().string());
         if (ending == ".json")
             return readJson();
-        if (ending == ".exr" || ending == ".hdr")
-            return asContent(loadEnvironment(path));
+        if (ending == ".png" || ending == ".exr" || ending == ".hdr")
+            return readPicture(ending != ".png");
         if (ending == ".csv" || ending == ".binary" || ending == ".bsdf" || ending == ".brdf" || ending == ".dat")
             return asContent(loadTable(path));
         return readMesh();

@@ -3,6 +3,7 @@
 
 #include "app/explorer/state.h"
 #include "core/base/result.h"
+#include "core/scene/kept_picture.h"
 
 #include <chrono>
 #include <functional>
@@ -14,9 +15,10 @@
 
 namespace reflectance::explorer {
 
-/// What a file held, told by its ending: .json a scene (or else a measurement), .exr and .hdr an environment, those of
-/// measurements a table, all else a mesh.
-using Content = std::variant<std::shared_ptr<const Mesh>, Scene, Environment, std::shared_ptr<const MeasuredTable>>;
+/// What a file held, told by its ending: .json a scene (or else a measurement), .png a session, .exr and .hdr a session or
+/// else an environment, those of measurements a table, all else a mesh.
+using Content =
+    std::variant<std::shared_ptr<const Mesh>, Scene, Environment, std::shared_ptr<const MeasuredTable>, KeptPicture>;
 
 struct LoadedFile {
     std::string path;

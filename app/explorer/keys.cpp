@@ -12,9 +12,11 @@ void request(ExplorerState& state, Kind kind, const std::string& path = {})
     state.requests.push_back({kind, path});
 }
 
-/// F2 .. F9 stand for the workbench's first eight pages; -1 for every other key.
+/// F2 .. F10 stand for the workbench's first nine pages; -1 for every other key.
 int pageOfKey(const std::string& key)
 {
+    if (key == "F10")
+        return 8;
     return key.size() == 2 && key[0] == 'F' && key[1] >= '2' && key[1] <= '9' ? key[1] - '2' : -1;
 }
 
@@ -53,6 +55,14 @@ void pressLens(ExplorerState& state, bool shift)
         state.lens = lensKinds[(static_cast<std::size_t>(*state.lens) + 1) % std::size(lensKinds)];
 }
 
+void toggleTour(ExplorerState& state)
+{
+    if (state.guide.number > 0)
+        request(state, Kind::LeaveCase);
+    else
+        request(state, Kind::ShowTour);
+}
+
 void requestForOffered(ExplorerState& state, Kind kind)
 {
     if (const EarlierSession* offered = offeredSession(state))
@@ -75,14 +85,19 @@ void escape(ExplorerState& state)
         requestForOffered(state, Kind::Dismiss);
 }
 
-void pressWithControl(const std::string& key, ExplorerState& state)
+void pressWithControl(const KeyPress& pressed, ExplorerState& state)
 {
+    const std::string& key = pressed.key;
     if (key == "o")
         request(state, Kind::OpenDialog);
     else if (key == "s")
         request(state, Kind::SaveScene);
     else if (key == "r")
         requestForOffered(state, Kind::OpenFile);
+    else if (key == "y" || (key == "z" && pressed.shift))
+        request(state, Kind::Redo);
+    else if (key == "z")
+        request(state, Kind::Undo);
     else if (key == "q")
         request(state, Kind::Quit);
     else if (key == "F12")
@@ -111,6 +126,10 @@ void pressAlone(const KeyPress& key, ExplorerState& state)
         nextModel(state, key.shift ? -1 : 1);
     else if (key.key.size() == 1 && key.key[0] >= '1' && key.key[0] <= '9')
         selectLight(state, key.key[0] - '1');
+    else if (key.key == "g")
+        toggleTour(state);
+    else if (state.guide.number > 0 && (key.key == "PageDown" || key.key == "PageUp"))
+        request(state, Kind::ShowTour, std::to_string(state.guide.number + (key.key == "PageDown" ? 1 : -1)));
     else if (key.key == "F1")
         state.showHelp = !state.showHelp;
     else if (key.key == "F12")
@@ -129,7 +148,7 @@ void press(const KeyPress& key, ExplorerState& state)
     if (state.showFileBrowser && isCharacter)
         return; // the dialog has the keyboard
     if (key.control)
-        pressWithControl(key.key, state);
+        pressWithControl(key, state);
     else
         pressAlone(key, state);
 }

@@ -12,6 +12,16 @@ constexpr float lowestWorkbench = 140.0F, lowestPicture = 120.0F;
 
 } // namespace
 
+Area takeGuideColumn(Area& picture, float scale)
+{
+    const float width =
+        std::min(std::clamp(0.4F * picture.width, 250.0F * scale, 350.0F * scale), 0.75F * picture.width);
+    const Area column{picture.x, picture.y, std::floor(width), picture.height};
+    picture.x += column.width;
+    picture.width -= column.width;
+    return column;
+}
+
 float allowedPanelWidth(float wanted, float windowWidth, float scale)
 {
     const float most = std::min(widestPanels, windowWidth / scale - narrowestPicture - splitterWidth);

@@ -34,6 +34,10 @@ struct Wishes {
 /// scale.
 [[nodiscard]] Layout layoutOf(float width, float height, Bars bars, Wishes wishes, float scale);
 
+/// Takes a column for the tour's card off the picture's left: two fifths of it, 250 .. 350 points times the scale. Returns
+/// the column.
+[[nodiscard]] Area takeGuideColumn(Area& picture, float scale);
+
 /// The width within which the splitter moves the panels, at scale 1.
 [[nodiscard]] float allowedPanelWidth(float wanted, float windowWidth, float scale);
 

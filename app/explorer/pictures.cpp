@@ -1,8 +1,8 @@
 #include "app/explorer/pictures.h"
 
+#include "app/explorer/shown_picture.h"
 #include "app/explorer/user_folders.h"
 #include "core/image/picture_file.h"
-#include "core/sensor/picture.h"
 
 #include <GL/glcorearb.h>
 
@@ -34,25 +34,66 @@ std::vector<std::uint8_t> readFramebuffer(ViewSize size, GetProcAddress load)
     return rgb;
 }
 
+VariantView shownOf(const CompareView& compare)
+{
+    if (!compare.on)
+        return VariantView::A;
+    switch (compare.mode) {
+    case CompareMode::SideBySide:
+        return VariantView::SideBySide;
+    case CompareMode::Wipe:
+        return VariantView::Wipe;
+    case CompareMode::Flip:
+        break;
+    case CompareMode::Difference:
+        return VariantView::Difference;
+    }
+    return compare.handOnB ? VariantView::B : VariantView::A;
+}
+
+Recipe recipeOf(const ExplorerState& state, const Viewport& viewport)
+{
+    const ViewSize size = viewport.view.size;
+    Recipe recipe{size.width, size.height, state.preferences.samplesPerAxis};
+    recipe.shown = shownOf(state.compare);
+    if (recipe.shown == VariantView::SideBySide)
+        recipe.width = wholeWidth(size.width);
+    recipe.divider = static_cast<double>(state.compare.divider);
+    recipe.holes = true;
+    return recipe;
+}
+
 } // namespace
 
 Result<std::string> saveViewPicture(const ExplorerState& state, const Viewport& viewport, GlRenderer& renderer,
-                                    const std::string& path)
+                                    SecondView& second, const std::string& path)
 {
-    if (const Result<void> rendered = renderFully(state, viewport, renderer); !rendered)
-        return rendered.error();
+    const Scene scene = shownScene(state);
+    const Recipe recipe = recipeOf(state, viewport);
+    const auto render = [&](const Scene& variant, int width, int height) -> Result<Image> {
+        const RenderSettings settings{width, height, recipe.samplesPerAxis};
+        const bool isB = recipe.shown != VariantView::A && !variant.other; // each has its own buffers
+        if (const Result<void> drawn = isB ? second.render(variant, settings) : renderer.render(variant, settings);
+            !drawn)
+            return drawn.error();
+        return isB ? second.renderer->readLinear() : renderer.readLinear();
+    };
+    const auto picture = shownPicture(scene, recipe, render);
+    if (!picture)
+        return picture.error();
     const std::string chosen = chosenPath(state, path);
-    if (const auto saved = savePicture(chosen, renderer.readLinear(), state.scene.sensor); !saved)
-        return saved.error();
+    if (const Result<void> written = saveShown(chosen, *picture, scene, recipe); !written)
+        return written.error();
     return chosen;
 }
 
-Result<std::string> saveWindowPicture(const ExplorerState& state, ViewSize size, GetProcAddress load,
-                                      const std::string& path)
+Result<std::string> saveWindowPicture(const ExplorerState& state, const Viewport& viewport, ViewSize size,
+                                      GetProcAddress load, const std::string& path)
 {
     const std::vector<std::uint8_t> rgb = readFramebuffer(size, load);
     const std::string chosen = chosenPath(state, path);
-    if (const Result<void> written = writePng(chosen, size.width, size.height, rgb); !written)
+    const Notes notes = notesFor(chosen, shownScene(state), recipeOf(state, viewport));
+    if (const Result<void> written = writePng(chosen, size.width, size.height, rgb, {}, notes); !written)
         return written.error();
     return chosen;
 }

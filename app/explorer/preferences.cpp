@@ -49,6 +49,7 @@ Result<Preferences> parsePreferences(std::string_view text, const std::string& f
     if (const auto page = object.find("workbenchPage"); page != object.end() && page->is_string())
         preferences.workbenchPage = page->get<std::string>();
     read(object, "interfaceScale", preferences.interfaceScale, 0.0F, 4.0F);
+    read(object, "tourStep", preferences.tourStep, 1, 100);
     read(object, "samplesPerAxis", preferences.samplesPerAxis, 1, 8);
     read(object, "showLightHandles", preferences.showLightHandles);
     const auto recent = object.find("recentFiles");
@@ -62,10 +63,15 @@ Result<Preferences> parsePreferences(std::string_view text, const std::string& f
 std::string preferencesText(const Preferences& preferences)
 {
     const json object{
-        {"windowWidth", preferences.windowWidth},         {"windowHeight", preferences.windowHeight},
-        {"panelWidth", preferences.panelWidth},           {"interfaceScale", preferences.interfaceScale},
-        {"workbenchHeight", preferences.workbenchHeight}, {"workbenchPage", preferences.workbenchPage},
-        {"samplesPerAxis", preferences.samplesPerAxis},   {"showLightHandles", preferences.showLightHandles},
+        {"windowWidth", preferences.windowWidth},
+        {"windowHeight", preferences.windowHeight},
+        {"panelWidth", preferences.panelWidth},
+        {"interfaceScale", preferences.interfaceScale},
+        {"workbenchHeight", preferences.workbenchHeight},
+        {"workbenchPage", preferences.workbenchPage},
+        {"samplesPerAxis", preferences.samplesPerAxis},
+        {"showLightHandles", preferences.showLightHandles},
+        {"tourStep", preferences.tourStep},
         {"recentFiles", preferences.recentFiles},
     };
     // A file name need not be UTF-8; what is not is replaced rather than refused.

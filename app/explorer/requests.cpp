@@ -62,8 +62,8 @@ void resetScene(Session& session)
 void saveScene(Session& session, std::string path)
 {
     if (session.state.putAside)
-        return tell(session,
-                    "A hazard's case is on screen and is not saved. Esc brings your scene back; save it then.");
+        return tell(session, session.state.putAside->title +
+                                 " is on screen and is not saved. Esc brings your scene back; save it then.");
     if (path.empty())
         path = session.sceneFile;
     if (path.empty())
@@ -77,21 +77,58 @@ void saveScene(Session& session, std::string path)
 
 void saveView(Session& session, const std::string& path)
 {
-    const Result<std::string> saved = saveViewPicture(session.state, session.viewport, session.renderer, path);
+    const Result<std::string> saved =
+        saveViewPicture(session.state, session.viewport, session.renderer, session.second, path);
     if (saved)
         tell(session, "Picture saved: " + *saved);
     else
         complain(session, saved.error());
 }
 
-/// "curves.svg" becomes mug_curves_001.svg or the like.
-void saveText(Session& session, const fs::path& name, const std::string& text)
+/// "curves.svg" becomes mug_curves_001.svg or the like; empty where it could not be written.
+std::string saveText(Session& session, const fs::path& name, const std::string& text)
 {
     const fs::path path =
         freeName(picturesFolder(), session.state.scene.mesh->name, name.stem().string(), name.extension().string());
-    if (const Result<void> saved = writeAtomically(path.string(), text); !saved)
-        return complain(session, saved.error());
+    if (const Result<void> saved = writeAtomically(path.string(), text); !saved) {
+        complain(session, saved.error());
+        return {};
+    }
     tell(session, "Saved: " + path.string());
+    return path.string();
+}
+
+void openText(Session& session, const Request& request)
+{
+    if (std::string path = saveText(session, request.path, request.text); !path.empty())
+        session.toOpen.push_back(std::move(path));
+}
+
+void fitText(Session& session, const Request& request)
+{
+    std::string path = saveText(session, request.path, request.text);
+    if (path.empty())
+        return;
+    FitWish& wish = session.state.fit.wish;
+    wish.file = std::move(path);
+    wish.surface = 1;
+    wish.model = "oren_nayar";
+    session.state.fit.asked = true;
+    session.state.preferences.workbenchPage = "fit";
+}
+
+/// A stroke that is under way would write over what comes back.
+void travel(Session& session, const Request& request)
+{
+    if (session.viewport.dragging())
+        return;
+    ExplorerState& state = session.state;
+    if (request.kind == Request::Kind::Undo)
+        state.history.undo(state);
+    else if (request.kind == Request::Kind::Redo)
+        state.history.redo(state);
+    else
+        state.history.go(std::stoul(request.path), state);
 }
 
 void serve(Session& session, const Request& request)
@@ -125,6 +162,12 @@ void serve(Session& session, const Request& request)
     case Kind::SaveText:
         saveText(session, request.path, request.text);
         break;
+    case Kind::OpenText:
+        openText(session, request);
+        break;
+    case Kind::FitText:
+        fitText(session, request);
+        break;
     case Kind::CancelLoading:
         session.loader.cancel();
         session.toOpen.clear();
@@ -135,6 +178,16 @@ void serve(Session& session, const Request& request)
     case Kind::TogglePage:
         togglePage(session.state, std::stoi(request.path));
         break;
+    case Kind::Undo:
+    case Kind::Redo:
+    case Kind::GoToStep:
+        travel(session, request);
+        break;
+    case Kind::ShowTour:
+        showTourStep(session.state,
+                     request.path.empty() ? session.state.preferences.tourStep : std::stoi(request.path));
+        frame(session);
+        break;
     case Kind::Quit:
         session.quit = true;
         break;
@@ -142,6 +195,18 @@ void serve(Session& session, const Request& request)
         session.autosave.dismiss(request.path);
         break;
     }
+}
+
+/// The two variants as a picture showed them.
+void showAs(CompareView& compare, const Recipe& recipe)
+{
+    compare.divider = static_cast<float>(recipe.divider);
+    compare.on = compare.on && recipe.shown != VariantView::A;
+    compare.handOnB = compare.on && recipe.shown == VariantView::B;
+    compare.mode = recipe.shown == VariantView::Wipe         ? CompareMode::Wipe
+                   : recipe.shown == VariantView::Difference ? CompareMode::Difference
+                   : recipe.shown == VariantView::B          ? CompareMode::Flip
+                                                             : CompareMode::SideBySide;
 }
 
 struct TakeOver {
@@ -166,6 +231,15 @@ struct TakeOver {
         session.state.soloLight = -1;
         session.state.panels.matrices.clear(); // what a narrower mode hid belongs to the scene before
         session.sceneFile = path;
+    }
+    /// The picture itself stays as it is: Ctrl+S finds the scene a file of its own.
+    void operator()(KeptPicture kept) const
+    {
+        const std::string written = kept.program;
+        const std::string none;
+        TakeOver{session, none}(std::move(kept.scene));
+        showAs(session.state.compare, kept.recipe);
+        tell(session, "The session of this picture is restored, as version " + written + " saved it.");
     }
     void operator()(std::shared_ptr<const MeasuredTable> table) const
     {

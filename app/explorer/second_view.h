@@ -1,9 +1,9 @@
 // The picture of variant B, and the map of what separates it from A's.
 #pragma once
 
-#include "app/explorer/background.h"
 #include "app/explorer/difference.h"
 #include "app/explorer/screen_texture.h"
+#include "app/explorer/worker.h"
 #include "core/render/gl/gl_renderer.h"
 
 #include <functional>
@@ -18,9 +18,10 @@ struct SecondView {
     GetProcAddress load;
     std::optional<GlRenderer> renderer; ///< made when first needed
     ScreenTexture map;                  ///< of the signed difference
-    Background<DifferencePicture> work;
+    Worker<DifferencePicture> work;
     std::uint64_t measured = 0;     ///< Viewport::pictures when the difference was last asked for
-    bool measuredPerceived = false; ///< with dE2000
+    bool measuredPerceived = false; ///< with dE2000 and FLIP
+    std::optional<Region> measuredRegion;
 
     /// Brings B's picture up to date.
     [[nodiscard]] Result<void> render(const Scene& b, const RenderSettings& settings);

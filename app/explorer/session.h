@@ -2,16 +2,17 @@
 #pragma once
 
 #include "app/explorer/autosave.h"
-#include "app/explorer/background.h"
 #include "app/explorer/file_loader.h"
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/second_view.h"
 #include "app/explorer/state.h"
+#include "app/explorer/tape.h"
 #include "app/explorer/trades.h"
 #include "app/explorer/trust.h"
 #include "app/explorer/user_folders.h"
 #include "app/explorer/viewport.h"
 #include "app/explorer/window.h"
+#include "app/explorer/worker.h"
 #include "core/render/gl/gl_renderer.h"
 
 #include <deque>
@@ -27,23 +28,26 @@ struct Session {
     GlRenderer& renderer;
     ExplorerState state;
     Viewport viewport;
+    Tape tape;
     SecondView second{Window::loader(), Window::wake};
     FileLoader loader{Window::wake};
-    Background<Prices> prices{Window::wake};
+    Worker<Prices> prices{Window::wake};
     Trust trust{Window::wake};
-    Background<FitOutcome> fit{Window::wake};
-    Background<Photograph> photograph{Window::wake};
+    Worker<FitOutcome> fit{Window::wake};
+    Worker<Photograph> photograph{Window::wake};
     ScreenTexture photographTexture{Window::loader()};
-    Background<std::vector<Thumbnail>> thumbnails{Window::wake};
+    std::shared_ptr<LabLive> labLive = std::make_shared<LabLive>();
+    Worker<LabOutcome> lab{Window::wake};
+    Worker<std::vector<Thumbnail>> thumbnails{Window::wake};
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
     Autosave autosave{stateFolder()};
 
-    Background<Waterfall> waterfall{Window::wake};
+    Worker<Waterfall> waterfall{Window::wake};
     std::shared_ptr<const Rested> waterfallAsked; ///< the picture that it was last asked of
-    Background<ObjectPrices> objectPrices{Window::wake};
+    Worker<ObjectPrices> objectPrices{Window::wake};
 
-    Background<TableFacts> tableFacts{Window::wake};
+    Worker<TableFacts> tableFacts{Window::wake};
     std::shared_ptr<const MeasuredTable> tableAsked; ///< that the facts were last asked of
 
     std::deque<std::string> toOpen;           ///< files that wait for the one being read

@@ -17,6 +17,8 @@ Scene shownScene(const ExplorerState& state)
 {
     Scene scene = state.scene;
     scene.surface.showHoles = true;
+    if (scene.other)
+        scene.other->showHoles = true;
     if (!state.soloPart.empty())
         scene.sensor = onlyPart(scene.sensor, state.soloPart);
     if (state.soloLight < 0 || state.soloLight >= static_cast<int>(scene.lights.size()))

@@ -6,6 +6,9 @@
 #include "app/explorer/exhibition.h"
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/fit_study.h"
+#include "app/explorer/guide.h"
+#include "app/explorer/history.h"
+#include "app/explorer/lab_study.h"
 #include "app/explorer/object_price.h"
 #include "app/explorer/sensor_study.h"
 #include "app/explorer/surface_shelf.h"
@@ -39,9 +42,15 @@ struct Request {
         ResetView,
         ResetScene,
         SaveText,
+        OpenText,
+        FitText,
         CancelLoading,
         LeaveCase,
         TogglePage,
+        Undo,
+        Redo,
+        GoToStep,
+        ShowTour,
         Dismiss,
         Quit
     };
@@ -49,9 +58,11 @@ struct Request {
     /// OpenFile: a mesh, scene, environment or measurement, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
     /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
     /// session; OpenFile restores it. SaveText: a name such as "curves.svg", made unique in the pictures folder.
-    /// TogglePage: the number of a page of the workbench, from 0.
+    /// OpenText, FitText: the same, and the file is opened, or Oren-Nayar is fitted to it.
+    /// TogglePage: the number of a page of the workbench, from 0. GoToStep: an index into the history's
+    /// steps. ShowTour: the number of a step of the tour; empty for the last one seen.
     std::string path;
-    std::string text = {}; ///< SaveText: what is written
+    std::string text = {}; ///< SaveText, OpenText, FitText: what is written
 };
 
 /// Kept between sessions where the desktop's conventions put settings.
@@ -64,6 +75,7 @@ struct Preferences {
     std::string workbenchPage;      ///< id of the open page; empty while the workbench is closed
     int samplesPerAxis = 2;
     bool showLightHandles = true;
+    int tourStep = 1; ///< the last one seen
 };
 
 /// A mesh being read on another thread.
@@ -109,6 +121,7 @@ struct ColourPage {
 struct ExplorerState {
     Scene scene;
     CompareView compare;
+    History history;
     SurfaceShelf shelf;
     int selectedLight = 0; ///< index into scene.lights, -1 for none
     int soloLight = -1;    ///< only this light shines; -1 for all
@@ -141,10 +154,12 @@ struct ExplorerState {
 
     ExtremesStudy extremes;
     ExtremesPage extremesPage;
-    std::optional<PutAside> putAside; ///< a hazard's case is shown, and the user's scene waits here
+    std::optional<PutAside> putAside; ///< a hazard's case or the tour is shown, and the user's scene waits here
+    Guide guide;
     CurvesPage curves;
     ColourPage colour;
     FitStudy fit;
+    LabStudy lab;
     TablePage tablePage;
     TradeStudy trade;
 

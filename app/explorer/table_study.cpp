@@ -17,7 +17,7 @@ void renewMap(TablePage& page, const std::shared_ptr<const MeasuredTable>& table
                       : page.residual ? residualMap(table->table, page.settings) : valueMap(table->table, page.settings);
 }
 
-void pollTableFacts(TablePage& page, Background<TableFacts>& worker, std::shared_ptr<const MeasuredTable>& asked)
+void pollTableFacts(TablePage& page, Worker<TableFacts>& worker, std::shared_ptr<const MeasuredTable>& asked)
 {
     if (std::optional<TableFacts> facts = worker.take(); facts && asked == page.shown)
         page.facts = std::move(facts);

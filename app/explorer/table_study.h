@@ -1,7 +1,7 @@
 // What the workbench's table page knows of the measured table in use: its map, and facts that take a while.
 #pragma once
 
-#include "app/explorer/background.h"
+#include "app/explorer/worker.h"
 #include "core/geometry/camera.h"
 #include "core/measured/facts.h"
 #include "core/scene/measured_table.h"
@@ -41,7 +41,7 @@ struct TablePage {
 void renewMap(TablePage& page, const std::shared_ptr<const MeasuredTable>& table, bool changed);
 
 /// Finds the facts of a new table on another thread and hands them to the page.
-void pollTableFacts(TablePage& page, Background<TableFacts>& worker, std::shared_ptr<const MeasuredTable>& asked);
+void pollTableFacts(TablePage& page, Worker<TableFacts>& worker, std::shared_ptr<const MeasuredTable>& asked);
 
 /// The direction to a light that meets, at a point tilted thetaR away from the viewer (to the right), the cell of these angles:
 /// N.V = cos thetaR, N.L = cos thetaI, and deltaPhi between their azimuths. Degrees.

@@ -2,7 +2,7 @@
 // an arithmetic keeps, pixel by pixel. On other threads, and given up at once when the hand moves.
 #pragma once
 
-#include "app/explorer/background.h"
+#include "app/explorer/worker.h"
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/overlay_texture.h"
 #include "core/study/lens/gl_check.h"
@@ -38,8 +38,8 @@ struct Trust {
     explicit Trust(const std::function<void()>& wake) : check(wake), lens(wake) {}
 
     std::shared_ptr<const Rested> rested; ///< none while the picture moves
-    Background<GlCheck> check;
-    Background<LensLaid> lens;
+    Worker<GlCheck> check;
+    Worker<LensLaid> lens;
     LensKind asked = LensKind::Float; ///< what `lens` works on
     std::optional<LensLaid> laid;
     std::optional<PixelRead> read; ///< of `laid`

@@ -31,6 +31,8 @@ void beginStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
         if (!ImGui::IsMouseClicked(imguiButton(button)))
             continue;
         viewport.button = button;
+        viewport.pressed = {button, modifiers(), viewport.view.size, viewport.hoveredLight, state.selectedLight,
+                            cursor, cursor};
         viewport.stroke = strokeFrom(button, modifiers(), cursor, viewport.hoveredLight, state.selectedLight,
                                      state.scene.lights, state.scene.camera, viewport.view.size);
         if (viewport.stroke.light >= 0)
@@ -48,8 +50,36 @@ void continueStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
     else if (!lightGone)
         state.scene.lights[static_cast<std::size_t>(stroke.light)] = lightOf(stroke, viewport.view.size, cursor);
     // The frame that sees the release still follows the hand: a quick stroke may fit between two frames.
-    if (lightGone || !ImGui::IsMouseDown(imguiButton(viewport.button)))
-        stroke = {};
+    if (!lightGone && ImGui::IsMouseDown(imguiButton(viewport.button)))
+        return;
+    stroke = {};
+    viewport.pressed.to = cursor;
+    viewport.done.emplace_back(viewport.pressed);
+}
+
+/// Ctrl+drag while comparing marks the rectangle that the figures are taken of, Ctrl+click the whole object again. True
+/// while the mouse is at it.
+bool drawRegion(CompareView& compare, const PictureView& view, Cursor cursor, bool hovered)
+{
+    const Cursor share{std::clamp(cursor.x / view.size.width, 0.0, 1.0),
+                       std::clamp(cursor.y / view.size.height, 0.0, 1.0)};
+    const bool starts = compare.on && hovered && modifiers().control && !modifiers().shift &&
+                        ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (starts) {
+        compare.drawsRegion = true;
+        compare.regionStart = {share.x, share.y, share.x, share.y};
+        compare.region.reset();
+    }
+    if (!compare.drawsRegion)
+        return false;
+    const Region& start = compare.regionStart;
+    const Region drawn{std::min(start.left, share.x), std::min(start.top, share.y), std::max(start.left, share.x),
+                       std::max(start.top, share.y)};
+    constexpr double smallest = 0.01; // less was a click
+    if (drawn.right - drawn.left > smallest && drawn.bottom - drawn.top > smallest)
+        compare.region = drawn;
+    compare.drawsRegion = compare.on && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    return true;
 }
 
 /// One frame of the mouse over the picture.
@@ -64,13 +94,15 @@ void handleMouse(ExplorerState& state, Viewport& viewport)
         return;
     }
     viewport.hoveredLight = -1;
-    if (!hovered)
+    if (drawRegion(state.compare, viewport.view, cursor, hovered) || !hovered)
         return;
     if (state.preferences.showLightHandles)
         viewport.hoveredLight =
             handleAt(state.scene.lights, state.scene.camera, viewport.view.size, cursor, handleReach(viewport.view));
-    if (ImGui::GetIO().MouseWheel != 0.0F)
-        state.scene.camera = zoomedByWheel(state.scene.camera, static_cast<double>(ImGui::GetIO().MouseWheel));
+    if (const auto steps = static_cast<double>(ImGui::GetIO().MouseWheel); steps != 0.0) {
+        state.scene.camera = zoomedByWheel(state.scene.camera, steps);
+        viewport.done.emplace_back(RecordedWheel{steps});
+    }
     if (viewport.hoveredLight >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         Light& light = state.scene.lights[static_cast<std::size_t>(viewport.hoveredLight)];
         light.on = !light.on;
@@ -243,12 +275,6 @@ void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer
     setCursorShape(viewport);
     drawCompareOverlay(state, area, panes);
     drawLoading(state, area, scale);
-}
-
-Result<void> renderFully(const ExplorerState& state, const Viewport& viewport, GlRenderer& renderer)
-{
-    return renderer.render(shownScene(state),
-                           {viewport.view.size.width, viewport.view.size.height, state.preferences.samplesPerAxis});
 }
 
 } // namespace reflectance::explorer

@@ -3,6 +3,7 @@
 
 #include "app/explorer/layout.h"
 #include "app/explorer/light_handles.h"
+#include "app/explorer/recording.h"
 #include "app/explorer/second_view.h"
 #include "core/render/gl/gl_renderer.h"
 
@@ -15,6 +16,8 @@ using Clock = std::chrono::steady_clock;
 struct Viewport {
     PictureView view; ///< side by side: of the half that the mouse was on
     Stroke stroke;
+    RecordedStroke pressed;                 ///< how it began
+    std::vector<RecordedEvent> done;        ///< strokes and turns of the wheel since the tape last took them
     MouseButton button = MouseButton::Left; ///< that the stroke began with
     int hoveredLight = -1;
     bool hovered = false; ///< the mouse is on the picture and on nothing that lies over it
@@ -37,8 +40,5 @@ struct Viewport {
 /// Draws the picture, the handles and what the hand does, into an ImGui window over `area`.
 void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, const Area& area,
                   float pixelsPerPoint, float scale);
-
-/// Brings the picture up to date with all its samples, whatever the hand is doing: for saving it.
-[[nodiscard]] Result<void> renderFully(const ExplorerState& state, const Viewport& viewport, GlRenderer& renderer);
 
 } // namespace reflectance::explorer

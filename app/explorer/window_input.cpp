@@ -13,6 +13,10 @@ std::string namedKey(int key)
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
         return "F" + std::to_string(1 + key - GLFW_KEY_F1);
     switch (key) {
+    case GLFW_KEY_PAGE_UP:
+        return "PageUp";
+    case GLFW_KEY_PAGE_DOWN:
+        return "PageDown";
     case GLFW_KEY_ESCAPE:
         return "Esc";
     default:
@@ -53,11 +57,13 @@ void keyPressed(GLFWwindow* window, int key, int scancode, int action, int modif
     stateOf(window).happened = true;
     tellImGui(window, key, scancode, action, modifiers);
     const bool control = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
-    const bool typing = ImGui::GetIO().WantTextInput && !control && namedKey(key).empty();
+    const std::string name = keyName(key, scancode);
+    const bool ownUndo = control && (name == "z" || name == "y"); // a text field has its own
+    const bool typing = ImGui::GetIO().WantTextInput && (!control || ownUndo) && namedKey(key).empty();
     if (action != GLFW_PRESS || typing || (modifiers & GLFW_MOD_ALT) != 0)
         return;
-    if (std::string name = keyName(key, scancode); !name.empty())
-        stateOf(window).events.keys.push_back({std::move(name), control, (modifiers & GLFW_MOD_SHIFT) != 0});
+    if (!name.empty())
+        stateOf(window).events.keys.push_back({name, control, (modifiers & GLFW_MOD_SHIFT) != 0});
 }
 
 void filesDropped(GLFWwindow* window, int count, const char** paths)

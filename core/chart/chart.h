@@ -57,6 +57,7 @@ struct PolarChart {
         ChartColor color = 0;
         std::vector<double> angle, radius;
         bool faint = false;
+        std::vector<double> spread = {}; ///< half the length of an error bar along the radius, for each point; empty: none
     };
     std::string title = {};
     std::string radiusLabel; ///< what the rings count

@@ -55,6 +55,13 @@ void drawCurve(SvgWriter& svg, const PolarChart& chart, const PolarChart::Curve&
         drawing = true;
     }
     svg.path(commands, {curve.color, 1.8, curve.faint ? 0.35 : 1.0});
+    for (std::size_t i = 0; i < std::min(curve.angle.size(), curve.spread.size()); ++i) {
+        const double low = std::max(0.0, curve.radius[i] - curve.spread[i]) / chart.largest;
+        const double high = (curve.radius[i] + curve.spread[i]) / chart.largest;
+        if (std::isfinite(low) && std::isfinite(high))
+            svg.line(disc.atX(curve.angle[i], low), disc.atY(curve.angle[i], low), disc.atX(curve.angle[i], high),
+                     disc.atY(curve.angle[i], high), {.color = curve.color});
+    }
 }
 
 } // namespace

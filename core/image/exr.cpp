@@ -12,6 +12,7 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
 
 #include <cstring>
 #include <stdexcept>
@@ -108,6 +109,17 @@ Image readPixels(Imf::InputFile& file, const std::vector<std::string>& names)
     return image;
 }
 
+Notes readNotes(std::string_view bytes)
+{
+    MemoryIn stream(bytes);
+    const Imf::InputFile file(stream);
+    Notes notes;
+    for (auto attribute = file.header().begin(); attribute != file.header().end(); ++attribute)
+        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute()))
+            notes.push_back({attribute.name(), text->value()});
+    return notes;
+}
+
 Result<Image> readImage(std::string_view bytes, const std::string& path)
 {
     Imf::Header::setMaxImageSize(largestSide, largestSide);
@@ -136,11 +148,22 @@ Result<Image> decodedExr(std::string_view bytes, const std::string& path)
     }
 }
 
-std::string encodedExr(const Image& image)
+Result<Notes> notesOfExr(std::string_view bytes, const std::string& path)
+{
+    try {
+        return readNotes(bytes);
+    } catch (const std::exception& problem) {
+        return Error{"is a damaged OpenEXR file (" + std::string(problem.what()) + ")", path};
+    }
+}
+
+std::string encodedExr(const Image& image, const Notes& notes)
 {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::addChromaticities(header, Imf::Chromaticities()); // the library's default is Rec. 709
+    for (const Note& note : notes)
+        header.insert(note.key, Imf::StringAttribute(note.text));
     Imf::FrameBuffer buffer;
     const std::size_t row = sizeof(float) * static_cast<std::size_t>(image.width);
     // The library's slices are not const; writing leaves them alone.

@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/image/encoding.h"
 #include "core/image/image.h"
+#include "core/image/notes.h"
 
 #include <cstdint>
 #include <span>
@@ -20,15 +21,25 @@ namespace reflectance {
 [[nodiscard]] Result<Image> decodedPng(std::string_view bytes, const std::string& path);
 
 /// 8-bit or 16-bit RGB with the chunks that say how it is encoded: sRGB, gAMA and cHRM; for Rec. 709 cICP (ITU-T H.273:
-/// 1, 1, 0, full range), gAMA for who does not know it, and cHRM; for linear gAMA and cHRM.
-[[nodiscard]] std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb, const PngColor& = {});
-[[nodiscard]] std::string encodedPng(int width, int height, std::span<const std::uint16_t> rgb, const PngColor& = {});
+/// 1, 1, 0, full range), gAMA for who does not know it, and cHRM; for linear gAMA and cHRM. The notes stand before the
+/// pixels, uncompressed.
+[[nodiscard]] std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb, const PngColor& = {},
+                                     const Notes& notes = {});
+[[nodiscard]] std::string encodedPng(int width, int height, std::span<const std::uint16_t> rgb, const PngColor& = {},
+                                     const Notes& notes = {});
+
+/// Texts before the pixels, of any of the three kinds of chunk; what libpng refuses to hold (8 MB) is left out.
+[[nodiscard]] Result<Notes> notesOfPng(std::string_view bytes, const std::string& path);
 
 /// First part, any compression, half or float; R G B or Y alone; A -> coverage. The picture is the data window.
 [[nodiscard]] Result<Image> decodedExr(std::string_view bytes, const std::string& path);
 
-/// float R G B, and A where the image has coverage; ZIP compression (lossless); chromaticities of Rec. 709, white D65.
-[[nodiscard]] std::string encodedExr(const Image& image);
+/// float R G B, and A where the image has coverage; ZIP compression (lossless); chromaticities of Rec. 709, white D65. The
+/// notes are string attributes.
+[[nodiscard]] std::string encodedExr(const Image& image, const Notes& notes = {});
+
+/// String attributes of the first part.
+[[nodiscard]] Result<Notes> notesOfExr(std::string_view bytes, const std::string& path);
 
 /// PF (colour) and Pf (grey), both byte orders; values are multiplied by the absolute value of the file's scale.
 [[nodiscard]] Result<Image> decodedPfm(std::string_view bytes, const std::string& path);

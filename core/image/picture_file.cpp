@@ -62,6 +62,16 @@ Result<Picture> decodedPicture(std::string_view bytes, const std::string& path)
     return Picture{*std::move(image), *format};
 }
 
+Result<Notes> decodedNotes(std::string_view bytes, const std::string& path)
+{
+    const auto format = formatOf(bytes);
+    if (!format)
+        return Error{"is not a picture of a known format; PNG and OpenEXR files carry sessions", path};
+    if (*format == PictureFormat::Png)
+        return notesOfPng(bytes, path);
+    return *format == PictureFormat::Exr ? notesOfExr(bytes, path) : Notes();
+}
+
 Result<Picture> readPicture(const std::string& path)
 {
     const auto bytes = readWholeFile(path);
@@ -70,26 +80,26 @@ Result<Picture> readPicture(const std::string& path)
     return decodedPicture(*bytes, path);
 }
 
-Result<void> writeLinear(const std::string& path, const Image& image)
+Result<void> writeLinear(const std::string& path, const Image& image, const Notes& notes)
 {
     const auto format = outputFormat(path);
     if (!format)
         return format.error();
     if (*format == PictureFormat::Png)
         return Error{"a PNG holds no linear values; end the name in .exr or .pfm", path};
-    return writeAtomically(path, *format == PictureFormat::Exr ? encodedExr(image) : encodedPfm(image));
+    return writeAtomically(path, *format == PictureFormat::Exr ? encodedExr(image, notes) : encodedPfm(image));
 }
 
 Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb,
-                      const PngColor& color)
+                      const PngColor& color, const Notes& notes)
 {
-    return writeAtomically(path, encodedPng(width, height, rgb, color));
+    return writeAtomically(path, encodedPng(width, height, rgb, color, notes));
 }
 
 Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint16_t> rgb,
-                      const PngColor& color)
+                      const PngColor& color, const Notes& notes)
 {
-    return writeAtomically(path, encodedPng(width, height, rgb, color));
+    return writeAtomically(path, encodedPng(width, height, rgb, color, notes));
 }
 
 } // namespace reflectance

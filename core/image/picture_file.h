@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/image/encoding.h"
 #include "core/image/image.h"
+#include "core/image/notes.h"
 
 #include <cstdint>
 #include <span>
@@ -29,13 +30,16 @@ struct Picture {
 [[nodiscard]] Result<Picture> readPicture(const std::string& path);
 [[nodiscard]] Result<Picture> decodedPicture(std::string_view bytes, const std::string& path);
 
-/// Writes linear values as .exr or .pfm, by the ending. A PFM has no place for coverage.
-[[nodiscard]] Result<void> writeLinear(const std::string& path, const Image& image);
+/// The texts that a PNG or an OpenEXR file carries; other pictures carry none.
+[[nodiscard]] Result<Notes> decodedNotes(std::string_view bytes, const std::string& path);
+
+/// Writes linear values as .exr or .pfm, by the ending. A PFM has no place for coverage and notes.
+[[nodiscard]] Result<void> writeLinear(const std::string& path, const Image& image, const Notes& notes = {});
 
 /// Writes code values (3 per pixel, rows from the top) as PNG of 8 or 16 bits.
 [[nodiscard]] Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb,
-                                    const PngColor& color = {});
+                                    const PngColor& color = {}, const Notes& notes = {});
 [[nodiscard]] Result<void> writePng(const std::string& path, int width, int height, std::span<const std::uint16_t> rgb,
-                                    const PngColor& color = {});
+                                    const PngColor& color = {}, const Notes& notes = {});
 
 } // namespace reflectance

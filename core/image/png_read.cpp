@@ -117,7 +117,30 @@ Image linearImage(const std::vector<std::uint16_t>& rgba, int width, int height,
     return image;
 }
 
+Notes textsOf(png_const_structp png, png_infop info)
+{
+    png_textp texts = nullptr;
+    int count = 0;
+    png_get_text(png, info, &texts, &count);
+    Notes notes;
+    for (int i = 0; i < count; ++i) {
+        const png_text& one = texts[i];
+        const std::size_t length = one.compression > 0 ? one.itxt_length : one.text_length;
+        if (one.key && one.text)
+            notes.push_back({one.key, std::string(one.text, length)});
+    }
+    return notes;
+}
+
 } // namespace
+
+Result<Notes> notesOfPng(std::string_view bytes, const std::string& path)
+{
+    PngReader reader(bytes);
+    if (!readInfo(reader))
+        return Error{"is a damaged PNG (" + reader.problem + ")", path};
+    return textsOf(reader.png, reader.info);
+}
 
 Result<Image> decodedPng(std::string_view bytes, const std::string& path)
 {

@@ -5,6 +5,7 @@
 #include "core/image/image.h"
 
 #include <png.h>
+#include <vector>
 
 namespace reflectance {
 namespace {
@@ -23,6 +24,22 @@ void keepNothing(png_structp) {}
     std::abort();
 }
 
+/// libpng copies what it is handed.
+void addNotes(png_structp png, png_infop info, const Notes& notes)
+{
+    std::vector<png_text> texts;
+    for (const Note& note : notes) {
+        png_text text{};
+        text.compression = PNG_ITXT_COMPRESSION_NONE;
+        text.key = const_cast<char*>(note.key.c_str());   // NOLINT(*-const-cast): the library's texts are not const
+        text.text = const_cast<char*>(note.text.c_str()); // NOLINT(*-const-cast)
+        text.itxt_length = note.text.size();
+        texts.push_back(text);
+    }
+    if (!texts.empty())
+        png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
+}
+
 // The chromaticities of ITU-R BT.709-6: white D65, red, green, blue.
 void writeChromaticities(png_structp png, png_infop info)
 {
@@ -30,7 +47,7 @@ void writeChromaticities(png_structp png, png_infop info)
 }
 
 /// Everything up to the rows.
-void writeHead(png_structp png, png_infop info, const PngColor& color)
+void writeHead(png_structp png, png_infop info, const PngColor& color, const Notes& notes)
 {
     // The power that is nowhere farther than 0.032 from the curve of Rec. 709, for readers that do not know cICP.
     constexpr double powerLikeRec709 = 0.560;
@@ -47,6 +64,7 @@ void writeHead(png_structp png, png_infop info, const PngColor& color)
         writeChromaticities(png, info);
         break;
     }
+    addNotes(png, info, notes);
     png_write_info_before_PLTE(png, info);
     if (color.encoding == EncodingKind::Rec709) {
         const png_byte name[] = {'c', 'I', 'C', 'P', 0};
@@ -56,7 +74,8 @@ void writeHead(png_structp png, png_infop info, const PngColor& color)
     png_write_info(png, info);
 }
 
-template <class Code> std::string encoded(int width, int height, std::span<const Code> rgb, const PngColor& color)
+template <class Code>
+std::string encoded(int width, int height, std::span<const Code> rgb, const PngColor& color, const Notes& notes)
 {
     CHECK_LT(0, width);
     CHECK_LT(0, height);
@@ -67,7 +86,7 @@ template <class Code> std::string encoded(int width, int height, std::span<const
     png_set_write_fn(png, &bytes, append, keepNothing);
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8 * sizeof(Code),
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    writeHead(png, info, color);
+    writeHead(png, info, color, notes);
     if (sizeof(Code) == 2)
         png_set_swap(png); // the machine's order is little-endian, the file's is not
     for (std::size_t at = 0; at < rgb.size(); at += 3 * static_cast<std::size_t>(width))
@@ -79,14 +98,16 @@ template <class Code> std::string encoded(int width, int height, std::span<const
 
 } // namespace
 
-std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb, const PngColor& color)
+std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb, const PngColor& color,
+                       const Notes& notes)
 {
-    return encoded(width, height, rgb, color);
+    return encoded(width, height, rgb, color, notes);
 }
 
-std::string encodedPng(int width, int height, std::span<const std::uint16_t> rgb, const PngColor& color)
+std::string encodedPng(int width, int height, std::span<const std::uint16_t> rgb, const PngColor& color,
+                       const Notes& notes)
 {
-    return encoded(width, height, rgb, color);
+    return encoded(width, height, rgb, color, notes);
 }
 
 } // namespace reflectance

@@ -39,23 +39,6 @@ long lineAt(std::string_view text, std::size_t byte)
 
 } // namespace
 
-Result<nlohmann::ordered_json> parsedJson(std::string_view text, const std::string& file, const std::string& what)
-{
-    using Json = nlohmann::ordered_json;
-    try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        return Error{"not a JSON " + what + ": a comma, bracket or quote is wrong here", file,
-                     lineAt(text, error.byte)};
-    } catch (const Json::out_of_range& error) {
-        // The message quotes the number; the exception does not tell its place.
-        const auto pieces = split(error.what(), '\'');
-        const std::string number(pieces.size() > 1 ? pieces[1] : "");
-        return Error{"the number " + number + " is too large; give one up to 1e308", file,
-                     lineAt(text, text.find(number))};
-    }
-}
-
 ObjectReader::ObjectReader(const Json& object, std::string where, std::optional<std::string>& problem)
     : object_(&object), where_(std::move(where)), problem_(&problem)
 {
@@ -186,6 +169,52 @@ void ObjectReader::finish()
         if (!known_.contains(key))
             fail(where_ + " has an unknown key '" + key + "'; did you mean '" +
                  nearestName(key, {known_.begin(), known_.end()}) + "'?");
+}
+
+void ObjectReader::readTexts(const char* key, std::vector<std::string>& texts)
+{
+    const Json* json = find(key);
+    if (!json)
+        return;
+    if (!json->is_array() ||
+        !std::all_of(json->begin(), json->end(), [](const Json& text) { return text.is_string(); }))
+        return fail(nameOf(key) + " must be a list of texts");
+    texts = json->get<std::vector<std::string>>();
+}
+
+void ObjectReader::readVersion(const std::string& schema, int newest)
+{
+    std::string found = schema;
+    read("schema", found);
+    if (found != schema)
+        return fail("schema is '" + found + "', not '" + schema + "'; this is another kind of file");
+    int version = newest;
+    read("version", version, 1, std::numeric_limits<int>::max());
+    if (version > newest)
+        fail(where_ + " is of version " + std::to_string(version) +
+             " and was written by a newer program; this one reads up to " + std::to_string(newest) + ", so update it");
+}
+
+Result<ObjectReader::Json> parsedJson(std::string_view text, const std::string& what, const std::string& file)
+{
+    ObjectReader::Json json;
+    try {
+        json = ObjectReader::Json::parse(text);
+    } catch (const ObjectReader::Json::parse_error& error) {
+        return Error{"not " + what + ": a comma, bracket or quote is wrong here", file, lineAt(text, error.byte)};
+    } catch (const ObjectReader::Json::out_of_range& error) {
+        // The message quotes the number; the exception does not tell its place.
+        const auto pieces = split(error.what(), '\'');
+        const std::string number(pieces.size() > 1 ? pieces[1] : "");
+        return Error{"the number " + number + " is too large; give one up to 1e308", file,
+                     lineAt(text, text.find(number))};
+    }
+    return json;
+}
+
+std::string jsonText(const ObjectReader::Json& json)
+{
+    return json.dump(2, ' ', false, ObjectReader::Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace reflectance

@@ -15,18 +15,17 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace reflectance {
-
-/// The text as JSON; the error names `file` and the line, and calls the text a JSON `what` ("scene").
-[[nodiscard]] Result<nlohmann::ordered_json> parsedJson(std::string_view text, const std::string& file,
-                                                        const std::string& what);
 
 class ObjectReader {
 public:
     using Json = nlohmann::ordered_json;
     static constexpr double inf = std::numeric_limits<double>::infinity();
+
+    template <class T> using ReadOne = const std::type_identity_t<std::function<void(ObjectReader, T&)>>&;
 
     /// `where` names the object in sentences; `problem` receives the first one.
     ObjectReader(const Json& object, std::string where, std::optional<std::string>& problem);
@@ -35,15 +34,19 @@ public:
     void read(const char* key, int& value, int low, int high);
     void read(const char* key, bool& value);
     void read(const char* key, std::string& value);
+    void readTexts(const char* key, std::vector<std::string>& texts);
     void read(const char* key, Vec3d& value, double low = -inf);
     void read(const char* key, std::array<double, 9>& matrix);
     void eachNumberList(const char* key,
                         const std::function<void(const std::string&, const std::vector<double>&)>& take);
     void readObject(const char* key, const std::function<void(ObjectReader)>& take);
 
-    template <class T> void readList(const char* key, std::vector<T>& list, void (*readOne)(ObjectReader, T&));
+    template <class T> void readList(const char* key, std::vector<T>& list, ReadOne<T> readOne);
     template <class T, std::size_t count>
     void readNamed(const char* key, const NamedValue<T> (&names)[count], T& value);
+
+    /// Keys "schema" and "version": another schema or a newer version is a problem.
+    void readVersion(const std::string& schema, int newest);
 
     /// What stands under the key as it is; nullptr where it is not there.
     [[nodiscard]] const Json* find(const char* key);
@@ -61,7 +64,14 @@ private:
     std::set<std::string> known_;
 };
 
-template <class T> void ObjectReader::readList(const char* key, std::vector<T>& list, void (*readOne)(ObjectReader, T&))
+/// A file's JSON; the Error names a syntax error's line. `what`: "a JSON scene".
+[[nodiscard]] Result<ObjectReader::Json> parsedJson(std::string_view text, const std::string& what,
+                                                    const std::string& file);
+
+/// As the program writes it. Names of files need not be UTF-8; what is not is replaced.
+[[nodiscard]] std::string jsonText(const ObjectReader::Json& json);
+
+template <class T> void ObjectReader::readList(const char* key, std::vector<T>& list, ReadOne<T> readOne)
 {
     const Json* json = find(key);
     if (!json)

@@ -1,275 +1,46 @@
 #include "core/scene/scene_file.h"
 
 #include "core/base/file.h"
-#include "core/base/text.h"
-#include "core/geometry/load.h"
-#include "core/reflectance/lists.h"
-#include "core/scene/json_reader.h"
-#include "core/scene/library_surface.h"
-#include "core/scene/sensor_file.h"
+#include "core/scene/scene_json.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 namespace reflectance {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = ObjectReader::Json;
 namespace fs = std::filesystem;
-
-constexpr NamedValue<LightKind> lightKinds[] = {{"directional", LightKind::Directional}, {"point", LightKind::Point}};
-constexpr NamedValue<EnvironmentKind> environmentKinds[] = {{"none", EnvironmentKind::None},
-                                                            {"constant", EnvironmentKind::Constant},
-                                                            {"studio", EnvironmentKind::Studio},
-                                                            {"map", EnvironmentKind::Map}};
-constexpr NamedValue<BackgroundKind> backgroundKinds[] = {{"plain", BackgroundKind::Plain},
-                                                          {"environment", BackgroundKind::Environment}};
-
-constexpr NamedValue<Convention> conventions[] = {{"sensor", Convention::Sensor}, {"primary", Convention::Primary}};
-
-Json array(const Vec3d& v)
-{
-    return Json::array({v.x, v.y, v.z});
-}
-
-/// A path as the scene file writes it, and back. What does not lie below the folder is written from the root: the file
-/// may be read from anywhere.
-std::string relativeTo(const std::string& folder, const std::string& path)
-{
-    if (path.empty())
-        return path;
-    std::error_code failed;
-    const fs::path here = fs::current_path(failed);
-    if (failed) // the current folder has been removed
-        return path;
-    const fs::path whole = (here / path).lexically_normal();
-    const fs::path relative = whole.lexically_relative((here / folder).lexically_normal());
-    const bool below = !relative.empty() && *relative.begin() != "..";
-    return below ? relative.string() : whole.string();
-}
-
-std::string resolvedIn(const std::string& folder, const std::string& path)
-{
-    return fs::path(path).is_absolute() ? path : (fs::path(folder) / path).lexically_normal().string();
-}
 
 bool isUtf8(const std::string& text)
 {
     return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore)) == Json(text);
 }
 
-bool isStockMesh(const std::string& name)
+/// Every file that the scene names; empty names stand for none.
+std::vector<std::string> filesOf(const Scene& scene)
 {
-    const std::vector<std::string> names = stockMeshNames();
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-Json written(const Light& light)
-{
-    Json json{{"name", light.name}, {"kind", nameOf(lightKinds, light.kind)}};
-    if (light.kind == LightKind::Directional)
-        json["direction"] = array(light.direction);
-    else
-        json["position"] = array(light.position);
-    json["intensity"] = array(light.intensity);
-    json["radius"] = light.angularRadius;
-    json["on"] = light.on;
-    return json;
-}
-
-Json written(const Environment& environment, const std::string& folder)
-{
-    Json json{{"kind", nameOf(environmentKinds, environment.kind)},
-              {"radiance", array(environment.radiance)},
-              {"rotation", environment.rotation}};
-    if (environment.kind == EnvironmentKind::Map)
-        json["file"] = relativeTo(folder, environment.file);
-    return json;
-}
-
-/// One number, or three that are the same: a colour without hue, which reads back from one.
-bool isGrey(const std::vector<double>& numbers)
-{
-    return numbers.size() == 1 || (numbers.size() == 3 && numbers[0] == numbers[1] && numbers[1] == numbers[2]);
-}
-
-Json written(const Surface& surface, const std::string& folder)
-{
-    Json parameters = Json::object();
-    for (const auto& [name, numbers] : surface.values)
-        parameters[name] = isGrey(numbers) ? Json(numbers.front()) : Json(numbers);
-    Json json{{"model", surface.model}, {"parameters", parameters}, {"convention", nameOf(surface.convention)}};
-    if (surface.convention == Convention::Primary)
-        json["W"] = surface.W;
-    if (!surface.tableFile.empty())
-        json["file"] = relativeTo(folder, surface.tableFile);
-    return json;
-}
-
-void readCamera(ObjectReader object, Camera& camera)
-{
-    object.read("eye", camera.eye);
-    object.read("target", camera.target);
-    object.read("up", camera.up);
-    object.read("field_of_view", camera.fieldOfView, 1.0, 120.0);
-    object.finish();
-}
-
-void readLight(ObjectReader object, Light& light)
-{
-    object.read("name", light.name);
-    object.readNamed("kind", lightKinds, light.kind);
-    object.read("direction", light.direction);
-    object.read("position", light.position);
-    object.read("intensity", light.intensity, 0.0);
-    object.read("radius", light.angularRadius, 0.0, 90.0);
-    object.read("on", light.on);
-    if (normalized(light.direction) == Vec3d())
-        object.fail("direction of light '" + light.name + "' is the zero vector; give a direction");
-    object.finish();
-}
-
-void readEnvironment(ObjectReader object, Environment& environment, const std::string& folder)
-{
-    object.readNamed("kind", environmentKinds, environment.kind);
-    object.read("radiance", environment.radiance, 0.0);
-    object.read("rotation", environment.rotation);
-    object.read("file", environment.file);
-    object.finish();
-    if (environment.kind != EnvironmentKind::Map)
-        return;
-    auto loaded = loadEnvironment(resolvedIn(folder, environment.file));
-    if (!loaded)
-        return object.fail(loaded.error().sentence());
-    environment.map = loaded->map;
-    environment.file = loaded->file;
-}
-
-void readBackground(ObjectReader object, Background& background)
-{
-    object.readNamed("kind", backgroundKinds, background.kind);
-    object.read("color", background.color, 0.0);
-    object.finish();
-}
-
-void readConvention(ObjectReader& object, Surface& surface)
-{
-    object.readNamed("convention", conventions, surface.convention);
-    object.read("W", surface.W);
-    if (surface.convention == Convention::Sensor)
-        surface.W = Surface().W;
-    const auto& W = surface.W;
-    if (!(conditionNumber({{{W[0], W[1], W[2]}, {W[3], W[4], W[5]}, {W[6], W[7], W[8]}}}) < largestCondition))
-        object.fail("W is singular; give nine numbers row by row, what each sensor sees of each primary on white");
-}
-
-void readSurface(ObjectReader object, Surface& surface, const std::string& folder)
-{
-    std::string library;
-    object.read("library", library);
-    if (!library.empty()) {
-        const auto found = findSurface(library);
-        if (!found)
-            return object.fail(found.error().message);
-        applySurface(**found, surface);
-    }
-    object.read("model", surface.model);
-    const auto model = findModel(surface.model);
-    if (!model)
-        return object.fail(model.error().message);
-    object.eachNumberList("parameters", [&](const std::string& name, const std::vector<double>& numbers) {
-        // A parameter that only other models know is kept for them.
-        for (const Model& other : catalogue()) {
-            const Parameter* parameter = other.text.find(name);
-            if (!parameter)
-                continue;
-            auto checked = checkedValue(*parameter, numbers);
-            if (!checked)
-                return object.fail(checked.error().message);
-            surface.values[name] = *std::move(checked);
-            return;
-        }
-        object.fail("no model has a parameter '" + name + "'");
-    });
-    for (const Model& other : catalogue())
-        if (const auto agree = checkLists(other.text, surface.values); !agree)
-            object.fail(agree.error().message);
-    readConvention(object, surface);
-    std::string file;
-    object.read("file", file);
-    if (!file.empty())
-        if (const auto read = readTableOf(surface, resolvedIn(folder, file)); !read)
-            object.fail(read.error().sentence());
-    object.finish();
-}
-
-void readMeshKeys(ObjectReader& object, Scene& scene, const std::string& folder)
-{
-    const std::string before = scene.meshFile;
-    object.read("mesh", scene.meshFile);
-    object.read("smooth_normals", scene.recomputeNormals);
-    if (scene.meshFile == before && !scene.recomputeNormals)
-        return;
-    if (!isStockMesh(scene.meshFile))
-        scene.meshFile = resolvedIn(folder, scene.meshFile);
-    if (const auto read = readMeshOf(scene); !read)
-        object.fail(read.error().sentence());
-}
-
-void readScene(ObjectReader object, Scene& scene, const std::string& folder)
-{
-    int version = sceneFormatVersion;
-    object.read("reflectance_scene", version, 1, sceneFormatVersion);
-    readMeshKeys(object, scene, folder);
-    object.readObject("camera", [&](ObjectReader part) { readCamera(part, scene.camera); });
-    object.readList("lights", scene.lights, readLight);
-    object.readObject("environment", [&](ObjectReader part) { readEnvironment(part, scene.environment, folder); });
-    object.readObject("background", [&](ObjectReader part) { readBackground(part, scene.background); });
-    object.readObject("surface", [&](ObjectReader part) { readSurface(part, scene.surface, folder); });
-    object.readObject("compare", [&](ObjectReader part) { readSurface(part, scene.other.emplace(), folder); });
-    object.readObject("sensor", [&](ObjectReader part) {
-        readSensor(part, scene.sensor, [&](const std::string& path) { return resolvedIn(folder, path); });
-    });
-    object.finish();
+    std::vector<std::string> files{scene.meshFile, scene.environment.file, scene.surface.tableFile,
+                                   scene.sensor.response.file};
+    if (scene.other)
+        files.push_back(scene.other->tableFile);
+    return files;
 }
 
 } // namespace
 
 std::string sceneText(const Scene& scene, const std::string& folder)
 {
-    Json lights = Json::array();
-    for (const Light& light : scene.lights)
-        lights.push_back(written(light));
-    Json json{
-        {"reflectance_scene", sceneFormatVersion},
-        {"mesh", isStockMesh(scene.meshFile) ? scene.meshFile : relativeTo(folder, scene.meshFile)},
-        {"smooth_normals", scene.recomputeNormals},
-        {"camera",
-         {{"eye", array(scene.camera.eye)},
-          {"target", array(scene.camera.target)},
-          {"up", array(scene.camera.up)},
-          {"field_of_view", scene.camera.fieldOfView}}},
-        {"lights", lights},
-        {"environment", written(scene.environment, folder)},
-        {"background",
-         {{"kind", nameOf(backgroundKinds, scene.background.kind)}, {"color", array(scene.background.color)}}},
-        {"surface", written(scene.surface, folder)},
-        {"sensor", writtenSensor(scene.sensor, [&](const std::string& path) { return relativeTo(folder, path); })}};
-    if (scene.other)
-        json["compare"] = written(*scene.other, folder);
-    // File names need not be UTF-8. Here what is not is replaced; saveScene refuses it.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(sceneJson(scene, {folder}));
 }
 
 Result<Scene> parseScene(std::string_view text, const std::string& file, const std::string& folder)
 {
-    const auto json = parsedJson(text, file, "scene");
+    const auto json = parsedJson(text, "a JSON scene", file);
     if (!json)
         return json.error();
     Scene scene = defaultScene();
     std::optional<std::string> problem;
-    readScene(ObjectReader(*json, "scene", problem), scene, folder);
+    readScene(ObjectReader(*json, "scene", problem), scene, {folder});
     if (problem)
         return Error{*problem, file};
     return scene;
@@ -285,8 +56,7 @@ Result<Scene> loadScene(const std::string& path)
 
 Result<void> saveScene(const Scene& scene, const std::string& path)
 {
-    for (const std::string& file :
-         {scene.meshFile, scene.environment.file, scene.surface.tableFile, scene.sensor.response.file})
+    for (const std::string& file : filesOf(scene))
         if (!isUtf8(file))
             return Error{"a scene file cannot name this file, since its name is not UTF-8; rename it", file};
     return writeAtomically(path, sceneText(scene, fs::path(path).parent_path().string()));

@@ -9,8 +9,8 @@
 
 namespace reflectance {
 
-/// Version of the format, written as "reflectance_scene".
-inline constexpr int sceneFormatVersion = 1;
+/// Version of the format, written as "version". Files of a newer one are refused.
+inline constexpr int sceneFormatVersion = 2;
 
 /// Reads a scene. Mesh and environment paths are relative to the scene file's folder.
 [[nodiscard]] Result<Scene> loadScene(const std::string& path);

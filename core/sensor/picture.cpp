@@ -12,7 +12,7 @@ PngColor pngColorOf(const Sensor& sensor)
     return color;
 }
 
-Result<SensorCounts> savePicture(const std::string& path, const Image& image, const Sensor& sensor)
+Result<SensorCounts> savePicture(const std::string& path, const Image& image, const Sensor& sensor, const Notes& notes)
 {
     const auto format = outputFormat(path);
     if (!format)
@@ -20,10 +20,10 @@ Result<SensorCounts> savePicture(const std::string& path, const Image& image, co
     const Developed developed = develop(image, sensor);
     const auto written = [&] {
         if (*format != PictureFormat::Png)
-            return writeLinear(path, image);
+            return writeLinear(path, image, notes);
         const PngColor color = pngColorOf(sensor);
-        return isDeep(sensor) ? writePng(path, developed.width, developed.height, developed.deep, color)
-                              : writePng(path, developed.width, developed.height, developed.rgb, color);
+        return isDeep(sensor) ? writePng(path, developed.width, developed.height, developed.deep, color, notes)
+                              : writePng(path, developed.width, developed.height, developed.rgb, color, notes);
     }();
     if (!written)
         return written.error();

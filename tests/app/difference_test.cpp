@@ -50,6 +50,38 @@ TEST(Difference, IsTakenOverTheObjectAlone)
     EXPECT_GT(*found.figures.deltaEMax, 1.0);
 }
 
+TEST(Difference, OfARegionLooksNowhereElse)
+{
+    Image b = halfCovered(0.5F);
+    b.rgb[0] = 0.75F; // the pixel in the corner
+    Progress progress;
+    const auto figuresIn = [&](const Region& region) {
+        return differenceOf(halfCovered(0.5F), b, 0.0, true, progress, region)->figures;
+    };
+    const DifferenceFigures corner = figuresIn({0.0, 0.0, 0.2, 0.2});
+    EXPECT_EQ(corner.pixels, 4U);
+    EXPECT_DOUBLE_EQ(corner.maxAbs, 0.25);
+    EXPECT_NEAR(corner.rmse, std::sqrt(0.0625 / 12.0), 1e-15);
+    EXPECT_TRUE(corner.ofRegion);
+    const DifferenceFigures beside = figuresIn({0.5, 0.0, 1.0, 1.0});
+    EXPECT_TRUE(beside.identical);
+    EXPECT_EQ(beside.flipMean, 0.0);
+    EXPECT_EQ(cropped(b, {0.9, 0.9, 0.9, 0.9}).pixels(), 1U) << "never nothing";
+    EXPECT_EQ(cropped(b, {1.0, 1.0, 1.0, 1.0}).pixels(), 1U);
+}
+
+TEST(Difference, TellsHowStronglyThePicturesWouldFlicker)
+{
+    const auto none = differenceBetween(halfCovered(0.3F), halfCovered(0.3F)).figures.flipMean;
+    const auto little = differenceBetween(halfCovered(0.3F), halfCovered(0.32F)).figures.flipMean;
+    const auto much = differenceBetween(halfCovered(0.3F), halfCovered(0.9F)).figures.flipMean;
+    ASSERT_TRUE(none && little && much);
+    EXPECT_EQ(*none, 0.0);
+    EXPECT_GT(*little, 0.0);
+    EXPECT_GT(*much, *little);
+    EXPECT_LE(*much, 1.0);
+}
+
 TEST(Difference, SeesWhatTheDisplayShows)
 {
     // Beyond white both are clipped; two stops down they are not.

@@ -57,12 +57,14 @@ TEST(Keys, OpenPagesOfTheWorkbench)
     ExplorerState state = stateWithLights(1);
     press({"F2"}, state);
     press({"F9"}, state);
+    press({"F10"}, state);
     press({"F11"}, state);
-    ASSERT_EQ(state.requests.size(), 2U);
+    ASSERT_EQ(state.requests.size(), 3U);
     for (const Request& request : state.requests)
         EXPECT_EQ(request.kind, Request::Kind::TogglePage);
     EXPECT_EQ(state.requests[0].path, "0");
     EXPECT_EQ(state.requests[1].path, "7");
+    EXPECT_EQ(state.requests[2].path, "8");
 }
 
 TEST(Keys, LayTheLensAndChangeIt)

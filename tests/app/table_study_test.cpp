@@ -39,7 +39,7 @@ TEST(TableStudy, PutsTheLightWhereTheCellIsMet)
 TEST(TableStudy, FindsTheFactsOfTheTableThatIsShown)
 {
     TablePage page;
-    Background<TableFacts> worker([] {});
+    Worker<TableFacts> worker([] {});
     std::shared_ptr<const MeasuredTable> asked;
     renewMap(page, tableOf(0.25), false);
     ASSERT_FALSE(page.map.values.empty());

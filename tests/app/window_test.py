@@ -206,6 +206,69 @@ def compares_clay(program, display, home):
         explorer.process.kill()
 
 
+def remembers_in_pictures(program, display, home):
+    scene_file = home / "scene.json"
+    scene_file.write_text(json.dumps(SCENE))
+    explorer = Explorer(program, display, home, str(scene_file), "sphere")
+
+    def made_again(picture):
+        again = picture.with_suffix(".again.png")
+        subprocess.run([program, "render", str(picture), "--out", str(again)], timeout=PATIENCE, check=True)
+        result = subprocess.run([program, "compare", str(picture), str(again), "--json", "-"], timeout=PATIENCE, check=True,
+                                capture_output=True, text=True)
+        figures = json.loads(result.stdout)
+        again.unlink()
+        return figures["max_abs"]
+
+    try:
+        explorer.xdotool("mousemove", *PICTURE_MIDDLE)
+        before = explorer.saved_scene(scene_file)
+        explorer.drag(PICTURE_MIDDLE, STROKE)
+        dragged = explorer.saved_scene(scene_file)
+        explorer.xdotool("key", "ctrl+z")
+        check(explorer.saved_scene(scene_file) == before, "Ctrl+Z takes the whole stroke back")
+        explorer.xdotool("key", "ctrl+y")
+        check(explorer.saved_scene(scene_file) == dragged, "Ctrl+Y brings it back")
+        picture = explorer.file_after("F12", ".png")
+        check(made_again(picture) == 0.0, "render makes a picture of the window again, pixel by pixel")
+        explorer.xdotool("key", "b")
+        clay = explorer.file_after("F12", ".png")
+        check(made_again(clay) == 0.0, "and one of two variants side by side")
+        explorer.quit()
+    finally:
+        explorer.process.kill()
+
+    explorer = Explorer(program, display, home, str(picture), "sphere")
+    try:
+        explorer.xdotool("mousemove", *PICTURE_MIDDLE)
+        restored = json.loads(explorer.file_after("ctrl+s", ".json").read_text())
+        check(restored["lights"] == dragged["lights"] and restored["surface"] == dragged["surface"]
+              and restored["camera"] == dragged["camera"], "a picture brings its session back")
+        explorer.quit()
+    finally:
+        explorer.process.kill()
+
+
+def shows_the_tour(program, display, home):
+    explorer = Explorer(program, display, home, "mug", "mug")
+    try:
+        explorer.xdotool("mousemove", *PICTURE_MIDDLE)
+        explorer.mesh = "sphere"
+        explorer.xdotool("key", "g")
+        wait_for(explorer.window, "G opens the tour at its first step, a sphere")
+        explorer.mesh = "cube"
+        explorer.xdotool("key", "Next")
+        wait_for(explorer.window, "Page down shows the next step")
+        explorer.mesh = "mug"
+        explorer.xdotool("key", "g")
+        wait_for(explorer.window, "leaving it brings the scene back")
+        explorer.quit()
+        kept = json.loads((home / "config/reflectance/preferences.json").read_text())
+        check(kept["tourStep"] == 2, "the tour remembers where it was")
+    finally:
+        explorer.process.kill()
+
+
 def survives_a_broken_mesh(program, display, home):
     broken = home / "broken.obj"
     broken.write_text("v 0 0\nf 1 2 3\n")
@@ -225,6 +288,8 @@ def main():
         for name, test in (("drag", lambda home: drags_a_light(program, brightest, display, home)),
                            ("killed", lambda home: restores_what_a_killed_program_left(program, display, home)),
                            ("clay", lambda home: compares_clay(program, display, home)),
+                           ("pictures", lambda home: remembers_in_pictures(program, display, home)),
+                           ("tour", lambda home: shows_the_tour(program, display, home)),
                            ("broken", lambda home: survives_a_broken_mesh(program, display, home))):
             home = pathlib.Path(folder) / name
             home.mkdir()

@@ -19,7 +19,7 @@ namespace {
 /// A scene reads the mug again, a damaged header of a picture may ask for megabytes: they get fewer.
 std::size_t inputsFor(const Reader& reader)
 {
-    if (reader.name == "scene")
+    if (reader.name == "scene" || reader.name == "session" || reader.name == "kept")
         return 1000;
     return reader.name == "png" || reader.name == "exr" ? 2000 : 20000;
 }

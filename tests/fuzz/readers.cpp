@@ -1,6 +1,7 @@
 #include "tests/fuzz/readers.h"
 
 #include "core/image/picture_file.h"
+#include "core/scene/kept_picture.h"
 #include "core/scene/scene_file.h"
 #include "tests/fuzz/curve_readers.h"
 #include "tests/fuzz/promises.h"
@@ -38,6 +39,18 @@ Outcome readScene(std::string_view bytes)
     return scene ? Outcome{true, brokenPromise(*scene)} : refused(scene.error());
 }
 
+Outcome readKept(std::string_view bytes)
+{
+    const auto kept = keptIn(bytes, "/nonexistent/a.picture");
+    return kept ? Outcome{true, brokenPromise(kept->scene)} : refused(kept.error());
+}
+
+Outcome readSession(std::string_view bytes)
+{
+    const auto kept = parseKept(bytes, "a.png", "/nonexistent");
+    return kept ? Outcome{true, brokenPromise(kept->scene)} : refused(kept.error());
+}
+
 Outcome readRows(std::string_view bytes)
 {
     const auto rows = cli::parseEvalRows(bytes, "a.csv");
@@ -69,7 +82,8 @@ const std::vector<Reader>& readers()
                                     {"scene", readScene, sceneSeeds()},      {"png", readPicture, pngSeeds()},
                                     {"exr", readPicture, exrSeeds()},        {"pfm", readPicture, pfmSeeds()},
                                     {"hdr", readPicture, hdrSeeds()},        {"rows", readRows, rowSeeds()},
-                                    {"model", readModel, modelSeeds()}};
+                                    {"model", readModel, modelSeeds()},      {"session", readSession, sessionSeeds()},
+                                    {"kept", readKept, keptSeeds()}};
         std::vector<Reader> curves = curveReaders();
         for (std::vector<Reader>* more : {&tables, &curves})
             readers.insert(readers.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));

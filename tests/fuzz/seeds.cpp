@@ -1,6 +1,7 @@
 #include "tests/fuzz/seeds.h"
 
 #include "core/image/formats.h"
+#include "core/scene/kept_picture.h"
 #include "core/scene/scene_file.h"
 
 namespace reflectance::fuzz {
@@ -29,6 +30,21 @@ std::vector<std::string> sceneSeeds()
         R"({"lights": [{"direction": [0, 1, 0], "intensity": [1e3, 0, 1]}], "sensor": {"exposure": -2}})",
         R"({"sensor": {"noise": {"read": 3, "seed": 7}, "quantisation": {"bits": 12, "dither": true}, "encoding": {"on": false},
                 "balance": {"gains": [1, 2, 3]}, "view": {"kind": "luminance"}}})"};
+}
+
+std::vector<std::string> sessionSeeds()
+{
+    Recipe recipe;
+    recipe.shown = VariantView::Wipe;
+    return {*findNote(keptNotes(defaultScene(), recipe, "/nonexistent"), "reflectance.session"),
+            R"({"program": "0.1", "picture": {"width": 3, "samples": 9}, "scene": {"mesh": "sphere"}})"};
+}
+
+std::vector<std::string> keptSeeds()
+{
+    const Notes notes = keptNotes(defaultScene(), {}, "/nonexistent");
+    const std::vector<std::uint8_t> codes(3, 7);
+    return {encodedPng(1, 1, codes, {}, notes), encodedExr(gradient(1, 1, false), notes)};
 }
 
 std::vector<std::string> pngSeeds()

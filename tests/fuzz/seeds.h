@@ -11,6 +11,8 @@ namespace reflectance::fuzz {
 [[nodiscard]] std::vector<std::string> offSeeds();
 [[nodiscard]] std::vector<std::string> stlSeeds();
 [[nodiscard]] std::vector<std::string> sceneSeeds();
+[[nodiscard]] std::vector<std::string> sessionSeeds(); ///< what pictures carry
+[[nodiscard]] std::vector<std::string> keptSeeds();    ///< pictures that carry it
 [[nodiscard]] std::vector<std::string> pngSeeds();
 [[nodiscard]] std::vector<std::string> exrSeeds();
 [[nodiscard]] std::vector<std::string> pfmSeeds();

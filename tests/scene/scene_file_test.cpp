@@ -206,6 +206,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{R"({"sensor": {"response": {"file": "missing.csv"}}})", "missing.csv"},
                     BadScene{R"({"sensor": {"nose": {}}})", "did you mean 'noise'"},
                     BadScene{R"({"mesh": "missing.obj"})", "missing.obj"},
+                    BadScene{R"({"version": 3})", "of version 3 and was written by a newer program"},
+                    BadScene{R"({"schema": "reflectance.tour"})", "another kind of file"},
                     BadScene{R"({"reflectance_scene": 2})", "reflectance_scene must be a whole number within 1 .. 1"}));
 
 } // namespace

@@ -8,7 +8,7 @@ namespace reflectance::explorer {
 
 void drawCaseBanner(ExplorerState& state, ImVec2 topLeft, ImVec2 room)
 {
-    if (!state.putAside)
+    if (!state.putAside || state.guide.number > 0)
         return;
     const ImVec2 padding{points(12), points(9)};
     const bool low = room.y < points(320);

@@ -55,8 +55,24 @@ void drawModes(ExplorerState& state, const Area& area)
     tooltip(
         "B against A over the pixels of the object, linear before the sensor: root mean square and largest difference "
         "of a channel. dE2000 is how visible it is on a display: about 1 is the smallest difference that an eye "
-        "sees side by side; p95 is exceeded by one pixel in twenty.");
+        "sees side by side; p95 is exceeded by one pixel in twenty. FLIP, 0 .. 1, is how strongly the two would "
+        "flicker on a screen (Andersson et al. 2020). Ctrl+drag a rectangle to take the figures there, Ctrl+click for "
+        "the whole object.");
     ImGui::EndChild();
+}
+
+/// The rectangle that the figures are of.
+void drawRegion(const CompareView& compare, const Area& pane)
+{
+    if (!compare.region)
+        return;
+    const auto x = [&](double share) { return pane.x + static_cast<float>(share) * pane.width; };
+    const auto y = [&](double share) { return pane.y + static_cast<float>(share) * pane.height; };
+    const ImVec2 topLeft{x(compare.region->left), y(compare.region->top)};
+    const ImVec2 bottomRight{x(compare.region->right), y(compare.region->bottom)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRect(topLeft, bottomRight, IM_COL32(0, 0, 0, 160), 0.0F, 0, points(3));
+    list.AddRect(topLeft, bottomRight, palette::text, 0.0F, 0, points(1.5F));
 }
 
 /// The variant's name, as a button that puts the hand on it.
@@ -160,10 +176,14 @@ std::string figuresText(const std::optional<DifferenceFigures>& figures)
     if (figures->pixels == 0)
         return "The object is out of the picture: nothing to compare.";
     if (figures->identical)
-        return "A and B are exactly equal: the difference is zero in every bit.";
-    std::string text = "RMSE " + general(figures->rmse, 3) + ", largest " + general(figures->maxAbs, 3);
+        return figures->ofRegion ? "Exactly equal in the rectangle: the difference is zero in every bit."
+                                 : "A and B are exactly equal: the difference is zero in every bit.";
+    std::string text = std::string(figures->ofRegion ? "Rectangle: " : "") + "RMSE " + general(figures->rmse, 3) +
+                       ", largest " + general(figures->maxAbs, 3);
     if (figures->deltaEP95)
         text += ";  dE2000 p95 " + general(*figures->deltaEP95, 3) + ", largest " + general(*figures->deltaEMax, 3);
+    if (figures->flipMean)
+        text += ";  FLIP " + general(*figures->flipMean, 3);
     return text;
 }
 
@@ -172,6 +192,8 @@ void drawCompareOverlay(ExplorerState& state, const Area& area, const Panes& pan
     if (!state.compare.on)
         return;
     const CompareMode mode = state.compare.mode;
+    for (const Area* pane : {&panes.a, &panes.b})
+        drawRegion(state.compare, *pane);
     if (mode == CompareMode::Wipe)
         drawDivider(state, area);
     if (mode == CompareMode::Difference)

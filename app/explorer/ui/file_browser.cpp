@@ -102,7 +102,7 @@ void drawFolderLine(BrowserMemory& memory, const fs::path& folder)
     tooltip(folder.string());
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - filterWidth + points(8));
     ImGui::Checkbox("every file", &memory.everyFile);
-    tooltip("Also show files with other endings than .obj .ply .off .stl .json .exr .hdr.");
+    tooltip("Also show files with other endings than .obj .ply .off .stl .json .png .exr .hdr.");
 }
 
 /// One line of the table; returns true when it is to be opened.

@@ -13,12 +13,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> endings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> endings = {{
     {".obj", "mesh"},
     {".ply", "mesh"},
     {".off", "mesh"},
     {".stl", "mesh"},
     {".json", "scene"},
+    {".png", "saved picture"},
     {".exr", "environment"},
     {".hdr", "environment"},
     {".csv", "measurement"},

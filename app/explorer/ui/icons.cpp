@@ -47,6 +47,20 @@ void drawFolder(const Pen& pen)
         true);
 }
 
+/// An arrow that turns back, to the left for `side` -1.
+void drawTurn(const Pen& pen, float side)
+{
+    pen.line(std::array<ImVec2, 2>{{{side * 0.85F, -0.35F}, {-side * 0.2F, -0.35F}}});
+    std::array<ImVec2, 13> bow;
+    for (std::size_t i = 0; i < bow.size(); ++i) {
+        const float a = (-90.0F + 15.0F * static_cast<float>(i)) * std::numbers::pi_v<float> / 180.0F;
+        bow[i] = {-side * (0.2F + 0.55F * std::cos(a)), 0.2F + 0.55F * std::sin(a)};
+    }
+    pen.line(bow);
+    pen.line(std::array<ImVec2, 2>{{{-side * 0.2F, 0.75F}, {side * 0.35F, 0.75F}}});
+    pen.line(std::array<ImVec2, 3>{{{side * 0.35F, -0.85F}, {side * 0.9F, -0.35F}, {side * 0.35F, 0.15F}}});
+}
+
 void drawFrame(const Pen& pen)
 {
     for (const float x : {-1.0F, 1.0F})
@@ -110,6 +124,13 @@ void drawReset(const Pen& pen)
                                {tip.x - 0.3F * r, tip.y - 0.9F * r}, pen.color);
 }
 
+/// A flag.
+void drawFlag(const Pen& pen)
+{
+    pen.line(std::array<ImVec2, 2>{{{-0.55F, 1.0F}, {-0.55F, -0.95F}}});
+    pen.line(std::array<ImVec2, 4>{{{-0.55F, -0.85F}, {0.8F, -0.4F}, {-0.55F, 0.1F}, {-0.55F, -0.85F}}}, true);
+}
+
 void drawQuestion(const Pen& pen)
 {
     pen.circle(0, 0, 0.95F);
@@ -128,6 +149,10 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float radius, ImU32 co
     switch (icon) {
     case Icon::Open:
         return drawFolder(pen);
+    case Icon::Undo:
+        return drawTurn(pen, -1.0F);
+    case Icon::Redo:
+        return drawTurn(pen, 1.0F);
     case Icon::Frame:
         return drawFrame(pen);
     case Icon::Turntable:
@@ -142,6 +167,8 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float radius, ImU32 co
         return drawLens(pen);
     case Icon::Reset:
         return drawReset(pen);
+    case Icon::Tour:
+        return drawFlag(pen);
     case Icon::Help:
         return drawQuestion(pen);
     }

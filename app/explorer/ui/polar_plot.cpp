@@ -72,6 +72,15 @@ void drawCurve(ImDrawList& list, const PolarChart& chart, const PolarChart::Curv
             flush();
     }
     flush();
+    for (std::size_t i = 0; i < std::min(curve.angle.size(), curve.spread.size()); ++i) {
+        const double low = std::max(0.0, curve.radius[i] - curve.spread[i]) / chart.largest;
+        const double high = (curve.radius[i] + curve.spread[i]) / chart.largest;
+        if (!std::isfinite(low) || !std::isfinite(high))
+            continue;
+        list.AddLine(disc.at(curve.angle[i], low), disc.at(curve.angle[i], high), onDark(curve.color));
+        list.AddCircleFilled(disc.at(curve.angle[i], curve.radius[i] / chart.largest), points(2.2F),
+                             onDark(curve.color), 12);
+    }
 }
 
 void readCurves(const PolarChart& chart, double angle)

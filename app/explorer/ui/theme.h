@@ -15,6 +15,7 @@ inline constexpr ImU32 hovered = IM_COL32(68, 68, 68, 255);  ///< what the mouse
 inline constexpr ImU32 line = IM_COL32(58, 58, 58, 255);     ///< borders and separators
 inline constexpr ImU32 text = IM_COL32(228, 228, 228, 255);
 inline constexpr ImU32 quiet = IM_COL32(170, 170, 170, 255);  ///< remarks, units, ranges
+inline constexpr ImU32 faint = IM_COL32(104, 104, 104, 255);  ///< what cannot be used now
 inline constexpr ImU32 accent = IM_COL32(112, 172, 232, 255); ///< symbols, marks, what can be acted on
 inline constexpr ImU32 fill = IM_COL32(40, 62, 86, 255);      ///< the filled part of a slider
 inline constexpr ImU32 chosen = IM_COL32(50, 80, 112, 255);   ///< what is selected or switched on

@@ -1,4 +1,5 @@
-#include "app/explorer/ui/icons.h"
+#include "app/explorer/ui/history_buttons.h"
+#include "app/explorer/ui/tool_button.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/geometry/load.h"
@@ -12,38 +13,6 @@ namespace reflectance::explorer {
 namespace {
 
 using Kind = Request::Kind;
-
-float buttonHeight()
-{
-    return points(32);
-}
-
-float buttonWidth(const char* label, bool withLabel)
-{
-    return withLabel ? points(38) + sizeIn(Face::Body, label).x : points(36);
-}
-
-/// Icon and word; the icon alone where the window is narrow.
-bool toolButton(Icon icon, const char* label, bool on, bool withLabel, const char* about)
-{
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const ImVec2 size{buttonWidth(label, withLabel), buttonHeight()};
-    const bool pressed = ImGui::InvisibleButton(label, size);
-    const bool hovered = ImGui::IsItemHovered();
-    tooltip(about);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (on || hovered)
-        list.AddRectFilled(start, {start.x + size.x, start.y + size.y},
-                           ImGui::GetColorU32(on ? palette::chosen : palette::raised), points(6));
-    const float middle = start.y + size.y / 2;
-    const float iconX = withLabel ? start.x + points(18) : start.x + size.x / 2;
-    drawIcon(list, icon, {iconX, middle}, points(7.5F), ImGui::GetColorU32(on ? palette::text : palette::accent));
-    if (withLabel)
-        drawText(list, Face::Body, {start.x + points(31), middle - sizeIn(Face::Body, label).y / 2}, palette::text,
-                 label);
-    ImGui::SameLine(0, points(2));
-    return pressed;
-}
 
 void listEarlierSessions(ExplorerState& state)
 {
@@ -63,7 +32,7 @@ void openMenu(ExplorerState& state)
 {
     if (ImGui::Selectable("Open a file\u2026"))
         state.showFileBrowser = true;
-    tooltip("Mesh (.obj .ply .off .stl), scene (.json) or environment (.exr .hdr).  Ctrl+O");
+    tooltip("Mesh (.obj .ply .off .stl), scene (.json), saved picture (.png) or environment (.exr .hdr).  Ctrl+O");
     bool& smooth = state.scene.recomputeNormals;
     if (ImGui::Selectable("Smooth normals", smooth)) {
         smooth = !smooth;
@@ -90,9 +59,9 @@ void openMenu(ExplorerState& state)
 
 void drawOpenButton(ExplorerState& state, bool withLabels)
 {
-    const ImVec2 below{ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y + buttonHeight() + points(4)};
-    if (toolButton(Icon::Open, "Open", ImGui::IsPopupOpen("open menu"), withLabels,
-                   "Open a file, a built-in mesh or a recent file.  Ctrl+O"))
+    const ImVec2 below{ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y + toolButtonHeight() + points(4)};
+    if (drawToolButton({Icon::Open, "Open", ImGui::IsPopupOpen("open menu"), withLabels},
+                       "Open a file, a built-in mesh or a recent file.  Ctrl+O"))
         ImGui::OpenPopup("open menu");
     ImGui::SetNextWindowPos(below);
     ImGui::SetNextWindowSizeConstraints({points(190), 0}, {points(420), points(560)});
@@ -107,9 +76,10 @@ constexpr std::array<const char*, 8> leftLabels = {"Open",    "Frame", "Turntabl
 
 bool labelsFit(float width)
 {
-    float wanted = buttonWidth("Help", true) + points(40);
+    float wanted =
+        toolButtonWidth("Help", true) + toolButtonWidth("Tour", true) + points(2) + historyButtonsWidth() + points(40);
     for (const char* label : leftLabels)
-        wanted += buttonWidth(label, true) + points(2);
+        wanted += toolButtonWidth(label, true) + points(2);
     return wanted <= width;
 }
 
@@ -139,35 +109,44 @@ void drawToolbar(ExplorerState& state)
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const bool withLabels = labelsFit(width);
-    ImGui::SetCursorScreenPos({start.x, ImGui::GetWindowPos().y + std::floor((toolbarHeight() - buttonHeight()) / 2)});
+    ImGui::SetCursorScreenPos(
+        {start.x, ImGui::GetWindowPos().y + std::floor((toolbarHeight() - toolButtonHeight()) / 2)});
     drawOpenButton(state, withLabels);
-    if (toolButton(Icon::Frame, "Frame", false, withLabels, "Move the camera so that the object fills the view.  F"))
+    drawHistoryButtons(state);
+    if (drawToolButton({Icon::Frame, "Frame", false, withLabels},
+                       "Move the camera so that the object fills the view.  F"))
         state.requests.push_back({Kind::Frame, {}});
-    if (toolButton(Icon::Turntable, "Turntable", state.turntable, withLabels, "Turn the object under its lights.  T"))
+    if (drawToolButton({Icon::Turntable, "Turntable", state.turntable, withLabels},
+                       "Turn the object under its lights.  T"))
         state.turntable = !state.turntable;
     bool& handles = state.preferences.showLightHandles;
-    if (toolButton(Icon::Lights, "Handles", handles, withLabels,
-                   "Show the handles of the lights; drag one to move its light.  H"))
+    if (drawToolButton({Icon::Lights, "Handles", handles, withLabels},
+                       "Show the handles of the lights; drag one to move its light.  H"))
         handles = !handles;
-    if (toolButton(Icon::Lens, "Lens", state.lens.has_value(), withLabels,
-                   "Paint the digits that float, half, SIMD or GL keep of double over the picture.  L"))
+    if (drawToolButton({Icon::Lens, "Lens", state.lens.has_value(), withLabels},
+                       "Paint the digits that float, half, SIMD or GL keep of double over the picture.  L"))
         state.lens = state.lens ? std::nullopt : std::optional(LensKind::Float);
-    if (toolButton(
-            Icon::Compare, "Compare", state.compare.on, withLabels,
+    if (drawToolButton(
+            {Icon::Compare, "Compare", state.compare.on, withLabels},
             "Compare two surfaces, A and B, under one camera and the same lights.  C.  B shows clay: Lambert beside "
             "Oren-Nayar."))
         toggleCompare(state.compare, state.scene);
-    if (toolButton(Icon::Camera, "Picture", false, withLabels,
-                   "Save a picture of the view.  F12.  Ctrl+F12 saves the whole window."))
+    if (drawToolButton({Icon::Camera, "Picture", false, withLabels},
+                       "Save a picture of the view.  F12.  Ctrl+F12 saves the whole window."))
         state.requests.push_back({Kind::SaveView, {}});
-    if (toolButton(Icon::Reset, "Reset", false, withLabels, "Back to the scene that the program opens with."))
+    if (drawToolButton({Icon::Reset, "Reset", false, withLabels}, "Back to the scene that the program opens with."))
         state.requests.push_back({Kind::ResetScene, {}});
     const float middle = ImGui::GetWindowPos().y + toolbarHeight() / 2;
     const float left = ImGui::GetCursorScreenPos().x;
-    const float helpLeft = start.x + width - buttonWidth("Help", withLabels);
+    const float helpLeft =
+        start.x + width - toolButtonWidth("Help", withLabels) - toolButtonWidth("Tour", withLabels) - points(2);
     drawTitle(state, left, helpLeft, middle);
     ImGui::SetCursorScreenPos({helpLeft, ImGui::GetCursorScreenPos().y});
-    if (toolButton(Icon::Help, "Help", state.showHelp, withLabels, "Gestures and keys.  F1"))
+    const bool touring = state.guide.number > 0;
+    if (drawToolButton({Icon::Tour, "Tour", touring, withLabels},
+                       "A guided tour: twelve short steps from Lambert to the trade, half an hour in all.  G"))
+        state.requests.push_back({touring ? Kind::LeaveCase : Kind::ShowTour, {}});
+    if (drawToolButton({Icon::Help, "Help", state.showHelp, withLabels}, "Gestures and keys.  F1"))
         state.showHelp = !state.showHelp;
     ImGui::NewLine();
 }

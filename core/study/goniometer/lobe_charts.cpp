@@ -105,4 +105,34 @@ Chart planeChart(const LabRun& run, const std::string& name, std::size_t inciden
     return chart;
 }
 
+PolarChart lobeChart(const LabRun& run, const std::string& name, std::size_t incidence,
+                     const std::vector<NamedFactor>& formulas)
+{
+    const double thetaI = measuredIncidence(run.setup, incidence);
+    const double perFactor = 1.0 / std::cos(thetaI);
+    PolarChart chart;
+    chart.radiusLabel = "\u03C0 f";
+    const auto add = [&](const Series& series, bool bars) {
+        PolarChart::Curve curve{series.name, series.color, {}, {}, !bars, {}};
+        for (std::size_t i = 0; i < series.x.size(); ++i) {
+            curve.angle.push_back(radians(series.x[i]));
+            curve.radius.push_back(perFactor * series.y[i]);
+            if (bars)
+                curve.spread.push_back(perFactor * series.spread[i]);
+        }
+        chart.curves.push_back(std::move(curve));
+    };
+    for (std::size_t i = 0; i < formulas.size(); ++i)
+        add(formulaSeries(formulas[i], thetaI, seriesColor(i + 1)), false);
+    add(tracedSeries(run, name, incidence, seriesColor(0)), true);
+    double largest = 1e-3;
+    for (const double radius : chart.curves.back().radius)
+        if (std::isfinite(radius))
+            largest = std::max(largest, radius);
+    chart.largest = 1.15 * largest;
+    chart.rays = {-thetaI, thetaI};
+    chart.rayNames = {"L", "R"};
+    return chart;
+}
+
 } // namespace reflectance

@@ -21,4 +21,8 @@ struct NamedFactor {
 [[nodiscard]] Series tracedSeries(const LabRun& run, const std::string& name, std::size_t incidence, ChartColor color);
 [[nodiscard]] Series formulaSeries(const NamedFactor& formula, double thetaI, ChartColor color);
 
+/// pi f as a lobe about the point of incidence: one standard error as bars, formulas as curves.
+[[nodiscard]] PolarChart lobeChart(const LabRun& run, const std::string& name, std::size_t incidence,
+                                   const std::vector<NamedFactor>& formulas);
+
 } // namespace reflectance

@@ -166,7 +166,7 @@ void apply(const StudyAxis& axis, const Json& value, Json& scene, Cell& cell)
 
 Result<Study> parseStudy(std::string_view text, const std::string& file, const std::string& folder)
 {
-    const auto json = parsedJson(text, file, "study");
+    const auto json = parsedJson(text, "a JSON study", file);
     if (!json)
         return json.error();
     std::optional<std::string> problem;

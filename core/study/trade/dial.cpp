@@ -30,7 +30,7 @@ class Verifier {
 public:
     Verifier(const Scene& scene, const RenderSettings& settings, GlRenderer* gl, Progress* progress)
         : settings_(settings), workshop_(scene.mesh, scene.camera, gl),
-          judge_(Workshop::truth(scene, settings, progress, 0.4), scene.sensor.exposure)
+          judge_(Workshop::truth(scene, settings, progress, 0.4), gainOf(scene.sensor))
     {
     }
 
@@ -207,7 +207,7 @@ std::optional<ErrorFigures> recheckedOn(const Scene& scene, const RenderSettings
             return std::nullopt;
     }
     Workshop workshop(scene.mesh, scene.camera, nullptr);
-    const Judge judge(Workshop::truth(scene, settings, progress), scene.sensor.exposure);
+    const Judge judge(Workshop::truth(scene, settings, progress), gainOf(scene.sensor));
     if (progress && progress->cancel)
         return std::nullopt;
     const auto prepared = workshop.prepare(recipe);

@@ -17,9 +17,8 @@ double ErrorFigures::by(Metric metric) const
     return metric == Metric::Max ? max : metric == Metric::Rmse ? rmse : perceived.deltaEP95;
 }
 
-Judge::Judge(Image truth, double exposure)
-    : truth_(std::move(truth)), factor_(static_cast<float>(std::exp2(exposure))),
-      reference_(exposed(truth_), Over::CoveredPixels)
+Judge::Judge(Image truth, double gain)
+    : truth_(std::move(truth)), factor_(static_cast<float>(gain)), reference_(exposed(truth_), Over::CoveredPixels)
 {
 }
 

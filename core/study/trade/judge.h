@@ -33,8 +33,8 @@ struct ErrorFigures {
 
 class Judge {
 public:
-    /// `exposure`: EV.
-    Judge(Image truth, double exposure);
+    /// `gain`: what the sensor multiplies radiance by first.
+    Judge(Image truth, double gain);
 
     /// The sizes must match.
     [[nodiscard]] ErrorFigures errorOf(const Image& picture) const;

@@ -33,8 +33,8 @@ std::vector<Recipe> simplerSurfaces(const Scene& scene, const RenderSettings& se
 /// How far each pixel of a picture is from the whole surface's.
 class PixelErrors {
 public:
-    PixelErrors(const Image& whole, Metric metric, double exposure)
-        : whole_(whole), metric_(metric), factor_(static_cast<float>(std::exp2(exposure)))
+    PixelErrors(const Image& whole, Metric metric, double gain)
+        : whole_(whole), metric_(metric), factor_(static_cast<float>(gain))
     {
     }
 
@@ -114,7 +114,7 @@ std::optional<SufficientMap> sufficientModels(const Scene& scene, const RenderSe
     if (stopped())
         return std::nullopt;
     const Image whole = shadeSamples(samples, scene, Precision::Double);
-    const PixelErrors errors(whole, metric, scene.sensor.exposure);
+    const PixelErrors errors(whole, metric, gainOf(scene.sensor));
     const auto last = static_cast<std::uint8_t>(map.models.size() - 1);
     map.modelOf.assign(whole.pixels(), SufficientMap::background);
     for (std::size_t pixel = 0; pixel < whole.pixels(); ++pixel)

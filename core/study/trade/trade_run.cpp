@@ -58,7 +58,7 @@ Result<bool> TradeRun::takeTruth(Progress* progress, double share)
     Image truth = Workshop::truth(scene_, settings_, progress, share * shareOfTruth);
     if (progress != nullptr && progress->cancel)
         return false;
-    judge_.emplace(std::move(truth), scene_.sensor.exposure);
+    judge_.emplace(std::move(truth), gainOf(scene_.sensor));
     if (!judge_->seesObject())
         return Error{"no pixel shows the object, so there is nothing to measure; turn the camera towards it"};
     return true;

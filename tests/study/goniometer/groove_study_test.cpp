@@ -74,6 +74,9 @@ TEST(LobeCharts, ShowThePlaneOfIncidenceWithErrorBars)
     EXPECT_EQ(series.x.front(), -90.0);
     EXPECT_EQ(series.spread.size(), series.y.size());
     EXPECT_GT(series.y[3], series.y[9]) << "grooves send light back to where it came from";
+    const PolarChart lobe = lobeChart(run, "traced", incidence, {});
+    ASSERT_EQ(lobe.curves.size(), 1U);
+    EXPECT_EQ(lobe.curves[0].spread.size(), 13U);
 }
 
 } // namespace

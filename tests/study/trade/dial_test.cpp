@@ -24,7 +24,7 @@ DialWish within(double tolerance)
 double errorOf(const Recipe& recipe, const Scene& scene)
 {
     Workshop workshop(scene.mesh, scene.camera, nullptr);
-    const Judge judge(Workshop::truth(scene, recipe.settings, nullptr), scene.sensor.exposure);
+    const Judge judge(Workshop::truth(scene, recipe.settings, nullptr), gainOf(scene.sensor));
     const auto prepared = workshop.prepare(recipe);
     return judge.errorOf(*workshop.picture(*prepared)).max;
 }

@@ -4,6 +4,7 @@
 #include "app/explorer/ui/workbench/curves_page.h"
 #include "app/explorer/ui/workbench/extremes_page.h"
 #include "app/explorer/ui/workbench/fit_page.h"
+#include "app/explorer/ui/workbench/laboratory_page.h"
 #include "app/explorer/ui/workbench/sensor_page.h"
 #include "app/explorer/ui/workbench/surfaces_page.h"
 #include "app/explorer/ui/workbench/table_page.h"
@@ -30,6 +31,8 @@ std::span<const WorkbenchPage> workbenchPages()
          drawSensorPage},
         {"trade", "Trade", "What every cheaper way of drawing this view loses and saves, measured here.",
          drawTradePage},
+        {"laboratory", "Laboratory", "A rough surface traced facet by facet into a measured table, with its errors.",
+         drawLaboratoryPage},
     };
     return pages;
 }

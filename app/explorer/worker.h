@@ -13,16 +13,16 @@
 
 namespace reflectance::explorer {
 
-template <class T> class Background {
+template <class T> class Worker {
 public:
     /// Looks at progress.cancel often and gives nothing where it is set.
     using Work = std::function<std::optional<T>(Progress& progress)>;
 
     /// `wake` is called from the thread when the work is done.
-    explicit Background(std::function<void()> wake) : wake_(std::move(wake)) {}
-    ~Background() { cancel(); }
-    Background(const Background&) = delete;
-    Background& operator=(const Background&) = delete;
+    explicit Worker(std::function<void()> wake) : wake_(std::move(wake)) {}
+    ~Worker() { cancel(); }
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
 
     /// Gives up what still runs and starts this.
     void start(Work work)

@@ -1,0 +1,86 @@
+#include "app/cli/render_options.h"
+
+namespace reflectance::cli {
+namespace {
+
+VariantView shownNamed(const std::string& variant)
+{
+    for (const VariantView shown :
+         {VariantView::B, VariantView::SideBySide, VariantView::Wipe, VariantView::Difference})
+        if (nameOf(shown) == variant)
+            return shown;
+    return VariantView::A;
+}
+
+} // namespace
+
+Result<RenderPlan> planFrom(const RenderOptions& options)
+{
+    RenderPlan plan;
+    plan.backend = options.backend == "gl" ? Backend::Gl : options.backend == "cpu" ? Backend::Cpu : Backend::Auto;
+    plan.context = contextNamed(options.context);
+    plan.frames = options.frames;
+    plan.place = options.shading == "vertex" ? Place::Vertex
+                 : options.shading == "face" ? Place::Face
+                 : options.shading == "once" ? Place::Pixel
+                                             : Place::Sample;
+    const auto lobe = lobeFormNamed(options.lobe.empty() ? "conditioned" : options.lobe);
+    if (!lobe)
+        return lobe.error();
+    plan.lobe = *lobe;
+    if (options.precision.empty())
+        return plan;
+    if (options.precision == "glsl")
+        plan.backend = Backend::Gl;
+    else if (plan.backend == Backend::Gl)
+        return Error{"--precision " + options.precision +
+                     " belongs to the CPU renderer; GL computes in glsl; leave one of the two flags out"};
+    else
+        plan.backend = Backend::Cpu;
+    plan.precision = options.precision == "float"  ? Precision::Float
+                     : options.precision == "simd" ? Precision::Simd
+                                                   : Precision::Double;
+    return plan;
+}
+
+RenderOptions completed(RenderOptions options, const Recipe& recipe)
+{
+    if (options.scene.size.empty())
+        options.scene.size = std::to_string(recipe.width) + "x" + std::to_string(recipe.height);
+    if (!options.scene.samples)
+        options.scene.samples = recipe.samplesPerAxis * recipe.samplesPerAxis;
+    options.scene.showHoles = options.scene.showHoles || recipe.holes;
+    if (options.variant.empty()) {
+        options.variant = nameOf(recipe.shown);
+        options.divider = recipe.divider;
+    }
+    if (options.lobe.empty())
+        options.lobe = recipe.lobe;
+    // Flags that choose an arithmetic go together: one of them, and the picture's own no longer counts.
+    if (options.backend != "auto" || !options.precision.empty() || !options.shading.empty() || !options.lens.empty())
+        return options;
+    if (recipe.lens != "none") {
+        options.lens = recipe.lens;
+        return options;
+    }
+    options.precision = recipe.precision;
+    options.shading = recipe.shading;
+    return options;
+}
+
+Recipe recipeFrom(const RenderOptions& options, const RenderSettings& settings, const std::string& backend,
+                  const std::string& precision)
+{
+    Recipe recipe{settings.width, settings.height, settings.samplesPerAxis};
+    recipe.backend = backend.starts_with("gl") ? "gl" : "cpu";
+    recipe.precision = precision.substr(0, precision.find(' ')); // the lanes' name follows "simd"
+    recipe.shading = options.shading.empty() ? "pixel" : options.shading;
+    recipe.lobe = options.lobe.empty() ? "conditioned" : options.lobe;
+    recipe.lens = options.lens.empty() ? "none" : options.lens;
+    recipe.shown = shownNamed(options.variant);
+    recipe.divider = options.divider;
+    recipe.holes = options.scene.showHoles;
+    return recipe;
+}
+
+} // namespace reflectance::cli

@@ -1,0 +1,40 @@
+// What the flags of `render` ask for, and a saved picture's recipe in the same words.
+#pragma once
+
+#include "app/cli/scene_options.h"
+#include "core/render/pictures/render_picture.h"
+#include "core/scene/kept_picture.h"
+
+#include <string>
+
+namespace reflectance::cli {
+
+struct RenderOptions {
+    SceneOptions scene;
+    std::string out;
+    std::string backend = "auto";
+    std::string precision;
+    std::string context = "any";
+    std::string shading;
+    std::string lens;
+    std::string lobe;    ///< empty: conditioned, or as a saved picture has
+    std::string variant; ///< "A", "B", "side", "wipe" or "difference"; empty: A, or as a saved picture has
+    double divider = 0.5;
+    int frames = 1;
+    std::string reference;
+    double threshold = 0.0;
+    std::string json;
+    bool waterfall = false;
+    std::string truth; ///< a scene file; empty: the scene itself
+};
+
+[[nodiscard]] Result<RenderPlan> planFrom(const RenderOptions& options);
+
+/// What no flag says, as the picture was made.
+[[nodiscard]] RenderOptions completed(RenderOptions options, const Recipe& recipe);
+
+/// How to make the picture again. `rendered` tells backend and precision.
+[[nodiscard]] Recipe recipeFrom(const RenderOptions& options, const RenderSettings& settings,
+                                const std::string& backend, const std::string& precision);
+
+} // namespace reflectance::cli
