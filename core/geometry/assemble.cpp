@@ -83,7 +83,7 @@ Mesh assembled(const PolygonSoup& soup, TriangleList list, const CornerNormals& 
 {
     Mesh mesh;
     report.area = areaOf(soup, list);
-    list.faceNormals = {};
+    giveBack(list.faceNormals);
     VertexSplitter splitter(soup, mesh);
     for (std::size_t t = 0; t < list.vertices.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k)

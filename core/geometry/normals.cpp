@@ -96,7 +96,7 @@ void joinRanges(const CornersAround& around, std::vector<std::vector<Vec3d>>& fr
     inRanges(threads, around.ends.size() - 1, perRange, [&](std::size_t range, std::size_t first, std::size_t last) {
         const auto begin = static_cast<Index>(begins[range]);
         std::copy(fresh[range].begin(), fresh[range].end(), normals.normals.begin() + begin);
-        fresh[range] = {};
+        giveBack(fresh[range]);
         for (Index at = around.ends[first]; at < around.ends[last]; ++at) {
             Index& index = normals.corners[around.corners[at] / 3][around.corners[at] % 3];
             if ((index & VertexSmoother::isFresh) != 0)
@@ -118,7 +118,7 @@ CornerNormals fileNormals(PolygonSoup& soup, TriangleList& list, MeshReport& rep
     }
     result.normals = std::move(soup.normals);
     result.corners = list.normalOfVertex ? list.vertices : std::move(list.normals);
-    list.normals = {};
+    giveBack(list.normals);
     inRanges(threads, result.normals.size(), perRange, [&](std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             result.normals[i] = normalized(result.normals[i]);

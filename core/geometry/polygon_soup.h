@@ -11,6 +11,12 @@
 
 namespace reflectance {
 
+/// Empties a vector and gives its memory back, which `= {}` would keep.
+template <class T> void giveBack(std::vector<T>& vector)
+{
+    std::vector<T>().swap(vector);
+}
+
 struct PolygonSoup {
     using Index = std::uint32_t;
 

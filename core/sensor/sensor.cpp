@@ -1,5 +1,6 @@
 #include "core/sensor/sensor.h"
 
+#include "core/base/parallel.h"
 #include "core/sensor/develop_text.h"
 
 #include <algorithm>
@@ -29,6 +30,25 @@ std::uint16_t quantisedDeep(double encoded)
     return static_cast<std::uint16_t>(std::floor(65535.0 * std::min(encoded, 1.0) + 0.5));
 }
 
+void developRow(const Image& image, int y, DevelopText& text, Developed& picture, SensorCounts& counts)
+{
+    std::size_t at = 3 * Image::pixelCount(image.width, y);
+    for (int x = 0; x < image.width; ++x) {
+        const Vec3d radiance = radianceAt(image, x, y);
+        const Vec3d arrived = text.arriving(radiance, x, y, image.width, image.height);
+        const Vec3d linear = text.linearOf(arrived);
+        const bool clipped = text.isClipped(arrived, linear);
+        count(counts, &image.rgb[at], clipped);
+        const Vec3d code = text.finished(radiance, linear, clipped, x, y);
+        for (const double channel : {code.x, code.y, code.z}) {
+            picture.rgb[at] = quantised(channel);
+            if (!picture.deep.empty())
+                picture.deep[at] = quantisedDeep(channel);
+            ++at;
+        }
+    }
+}
+
 } // namespace
 
 double gainOf(const Sensor& sensor)
@@ -52,26 +72,23 @@ bool isDeep(const Sensor& sensor)
 
 Developed develop(const Image& image, const Sensor& sensor)
 {
-    DevelopText text = developText(sensor);
+    const DevelopText shared = developText(sensor);
     const bool deep = isDeep(sensor);
     Developed picture{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size()), {}, {}};
     picture.deep.resize(deep ? image.rgb.size() : 0);
-    std::size_t at = 0;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const Vec3d radiance = radianceAt(image, x, y);
-            const Vec3d arrived = text.arriving(radiance, x, y, image.width, image.height);
-            const Vec3d linear = text.linearOf(arrived);
-            const bool clipped = text.isClipped(arrived, linear);
-            count(picture.counts, &image.rgb[at], clipped);
-            const Vec3d code = text.finished(radiance, linear, clipped, x, y);
-            for (const double channel : {code.x, code.y, code.z}) {
-                picture.rgb[at] = quantised(channel);
-                if (deep)
-                    picture.deep[at] = quantisedDeep(channel);
-                ++at;
-            }
-        }
+    constexpr std::size_t rowsPerRange = 16;
+    const auto rows = static_cast<std::size_t>(image.height);
+    std::vector<SensorCounts> counts((rows + rowsPerRange - 1) / rowsPerRange);
+    inRanges(threadsFor(0), rows, rowsPerRange, [&](std::size_t range, std::size_t first, std::size_t last) {
+        DevelopText text = shared;
+        for (std::size_t y = first; y < last; ++y)
+            developRow(image, static_cast<int>(y), text, picture, counts[range]);
+    });
+    for (const SensorCounts& range : counts) {
+        picture.counts.negative += range.negative;
+        picture.counts.clipped += range.clipped;
+        picture.counts.nonFinite += range.nonFinite;
+    }
     return picture;
 }
 

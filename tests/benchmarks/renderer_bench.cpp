@@ -3,6 +3,8 @@
 #include "core/render/cpu/cpu_renderer.h"
 #include "core/render/cpu/pixel_rays.h"
 #include "core/render/cpu/ray_scene.h"
+#include "tests/benchmarks/alternate.h"
+#include "tests/benchmarks/knot.h"
 
 #include <benchmark/benchmark.h>
 #include <embree3/rtcore.h>
@@ -92,29 +94,43 @@ std::vector<Packet> packetsOf(const Camera& camera)
 }
 
 /// The same rays, ready made, and nothing done with what they meet.
-void bareEmbree(benchmark::State& state)
+void traceAll(const BareEmbree& embree, std::vector<Packet>& packets)
 {
-    const Scene scene = defaultScene();
+    alignas(32) static constexpr int valid[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    tbb::parallel_for(std::size_t{0}, packets.size() / 64, [&](std::size_t task) {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        for (std::size_t i = 64 * task; i < 64 * (task + 1); ++i) {
+            RTCRayHit8& rays = packets[i].rays;
+            for (int lane = 0; lane < 8; ++lane) {
+                rays.ray.tfar[lane] = std::numeric_limits<float>::infinity();
+                rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+            }
+            rtcIntersect8(valid, embree.scene, &context, &rays);
+        }
+    });
+}
+
+/// A first frame, Embree's structure being there: rays, points in double, shading; against the rays alone.
+void firstFrameCpu(benchmark::State& state)
+{
+    Scene scene = defaultScene();
+    scene.mesh = bench::knotMesh(state.range(0));
+    const auto precision = static_cast<Precision>(state.range(1));
+    state.SetLabel(std::string(nameOf(precision)));
+    const auto rays = makeRayScene(scene.mesh);
     const BareEmbree embree(*scene.mesh);
     std::vector<Packet> packets = packetsOf(scene.camera);
-    alignas(32) const int valid[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
-    for (auto _ : state)
-        tbb::parallel_for(std::size_t{0}, packets.size() / 64, [&](std::size_t task) {
-            RTCIntersectContext context;
-            rtcInitIntersectContext(&context);
-            context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-            for (std::size_t i = 64 * task; i < 64 * (task + 1); ++i) {
-                RTCRayHit8& rays = packets[i].rays;
-                for (int lane = 0; lane < 8; ++lane) {
-                    rays.ray.tfar[lane] = std::numeric_limits<float>::infinity();
-                    rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-                }
-                rtcIntersect8(valid, embree.scene, &context, &rays);
-            }
-        });
-    state.SetItemsProcessed(state.iterations() * large.width * large.height);
+    bench::alternate(
+        state,
+        [&] { benchmark::DoNotOptimize(shadeSamples(sampleView(*rays, scene.camera, large), scene, precision)); },
+        [&] { traceAll(embree, packets); });
 }
-BENCHMARK(bareEmbree)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(firstFrameCpu)
+    ->ArgsProduct({{100'000, 1'000'000}, {static_cast<int>(Precision::Double), static_cast<int>(Precision::Simd)}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 } // namespace
 } // namespace reflectance

@@ -50,17 +50,29 @@ void setRay(RTCRay8& rays, std::size_t i, const Vec3d& origin, const Vec3d& dire
     rays.flags[i] = 0;
 }
 
-/// Starts the ray where it enters the mesh's sphere, found in double: floats are then as fine as the mesh, however far
-/// away the eye is. A ray that misses the sphere is not traced.
-void placeRay(RTCRay8& rays, int* valid, std::size_t i, const RayPacket& packet, double radius)
+/// Starts the rays where they enter the mesh's sphere, found in double: floats are then as fine as the mesh, however far
+/// away the eye is. A ray that misses the sphere is not traced. True if any is. One number of all rays at a time: so the
+/// compiler makes vectors of it.
+bool placeRays(RTCRay8& rays, int* valid, const RayPacket& packet, double radius)
 {
-    const Vec3d& direction = packet.directions[i];
-    const double nearest = -dot(packet.eye, direction);
-    const Vec3d foot = packet.eye + nearest * direction;
     const double reach = 1.001 * radius;
-    valid[i] = packet.active[i] && nearest > -reach && dot(foot, foot) < reach * reach ? -1 : 0;
-    setRay(rays, i, packet.eye + std::max(0.0, nearest - reach) * direction, direction,
-           std::numeric_limits<double>::infinity());
+    std::array<double, RayPacket::size> start;
+    int any = 0;
+    for (std::size_t i = 0; i < RayPacket::size; ++i) {
+        const double nearest = -(packet.eye.x * packet.x[i] + packet.eye.y * packet.y[i] + packet.eye.z * packet.z[i]);
+        const double footX = packet.eye.x + nearest * packet.x[i];
+        const double footY = packet.eye.y + nearest * packet.y[i];
+        const double footZ = packet.eye.z + nearest * packet.z[i];
+        const double squared = footX * footX + footY * footY + footZ * footZ;
+        valid[i] = packet.active[i] && nearest > -reach && squared < reach * reach ? -1 : 0;
+        any |= valid[i];
+        start[i] = std::max(0.0, nearest - reach);
+    }
+    for (std::size_t i = 0; i < RayPacket::size; ++i) {
+        const Vec3d direction{packet.x[i], packet.y[i], packet.z[i]};
+        setRay(rays, i, packet.eye + start[i] * direction, direction, std::numeric_limits<double>::infinity());
+    }
+    return any != 0;
 }
 
 std::array<std::uint32_t, 8> met(RTCScene scene, RTCRayHit8& rays, const int* valid, RTCIntersectContextFlags coherence)
@@ -109,9 +121,12 @@ RayScene::RayScene(std::shared_ptr<const Mesh> mesh)
 std::array<std::uint32_t, 8> RayScene::firstTriangles(const RayPacket& packet) const
 {
     alignas(32) RTCRayHit8 rays;
-    alignas(32) int valid[8];
-    for (std::size_t i = 0; i < 8; ++i)
-        placeRay(rays.ray, valid, i, packet, radius_);
+    alignas(32) int valid[RayPacket::size];
+    if (!placeRays(rays.ray, valid, packet, radius_)) {
+        std::array<std::uint32_t, RayPacket::size> none;
+        none.fill(nothing);
+        return none;
+    }
     return met(scene_.get(), rays, valid, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
 }
 

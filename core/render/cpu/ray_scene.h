@@ -12,11 +12,13 @@ struct RTCSceneTy;
 
 namespace reflectance {
 
-/// Eight rays from one eye, as Embree traces them together. Unit directions.
+/// Eight rays from one eye, as Embree traces them together.
 struct RayPacket {
+    static constexpr std::size_t size = 8;
+
     Vec3d eye;
-    std::array<Vec3d, 8> directions;
-    std::array<bool, 8> active{}; ///< false: not to be traced
+    std::array<double, size> x, y, z; ///< unit directions
+    std::array<bool, size> active{};  ///< false: not to be traced
 };
 
 /// Eight pieces of rays, each with an origin of its own. Floats serve them well where the mesh is about as large as 1.

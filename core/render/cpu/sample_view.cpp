@@ -39,8 +39,8 @@ void tracePixels(const RayScene& rays, const PixelRays& pixelRays, int left, int
         const int y = top + i / 4;
         const auto ray = static_cast<std::size_t>(i);
         packet.active[ray] = inside(x, y);
-        packet.directions[ray] = pixelRays.throughSample(x, y, s);
     }
+    pixelRays.throughBlock(left, top, s, packet.x, packet.y, packet.z);
     const auto triangles = rays.firstTriangles(packet);
     for (int i = 0; i < 8; ++i)
         if (packet.active[static_cast<std::size_t>(i)])

@@ -1,5 +1,7 @@
 #include "core/render/gl/sample_reader.h"
 
+#include <algorithm>
+
 namespace reflectance {
 namespace {
 
@@ -43,17 +45,19 @@ void SampleReader::readTriangles(const RenderTarget& target, int firstRow, int r
 Image SampleReader::readImage(const RenderTarget& linear)
 {
     Image image(linear.width(), linear.height());
-    readRows(linear, 0, 0, linear.height(), first_);
-    float* rgb = image.rgb.data();
-    float* coverage = image.coverage.data();
-    for (int y = image.height - 1; y >= 0; --y)
-        for (int x = 0; x < image.width; ++x) {
-            const float* from = texel(first_, image.width, x, y);
-            *rgb++ = from[0];
-            *rgb++ = from[1];
-            *rgb++ = from[2];
-            *coverage++ = from[3];
+    constexpr int rowsAtATime = 32; // stay in the cache, and are no second picture in memory
+    for (int first = 0; first < image.height; first += rowsAtATime) {
+        const int rows = std::min(rowsAtATime, image.height - first);
+        readRows(linear, 0, first, rows, first_);
+        for (int row = 0; row < rows; ++row) {
+            std::size_t pixel = Image::pixelCount(image.width, image.height - 1 - (first + row));
+            for (int x = 0; x < image.width; ++x, ++pixel) {
+                const float* from = texel(first_, image.width, x, row);
+                std::copy_n(from, 3, &image.rgb[3 * pixel]);
+                image.coverage[pixel] = from[3];
+            }
         }
+    }
     return image;
 }
 
@@ -73,7 +77,8 @@ ViewSamples SampleReader::readSamples(const VisibilityPass& seen, const RenderSe
             samples.firstOfPixel.push_back(static_cast<std::uint32_t>(samples.count()));
             for (int j = k - 1; j >= 0; --j)
                 for (int i = x * k; i < (x + 1) * k; ++i)
-                    if (const auto hit = triangles_[Image::pixelCount(across, j) + static_cast<std::size_t>(i)]; hit != 0)
+                    if (const auto hit = triangles_[Image::pixelCount(across, j) + static_cast<std::size_t>(i)];
+                        hit != 0)
                         append(samples, texel(first_, across, i, j), texel(second_, across, i, j), hit - 1);
         }
     }

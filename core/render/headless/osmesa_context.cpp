@@ -1,4 +1,5 @@
 // OSMesa: Mesa's software rasteriser drawing into memory. Mesa 25.1 removed it; EGL stands beside it.
+#include "core/render/headless/driver_ahead.h"
 #include "core/render/headless/makers.h"
 #include "core/render/headless/shared_library.h"
 
@@ -15,9 +16,14 @@ struct OsMesa {
     GetProcAddress load;
 };
 
+Result<SharedLibrary> openLibrary()
+{
+    return SharedLibrary::open({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
+}
+
 Result<OsMesa> loadOsMesa()
 {
-    auto library = SharedLibrary::open({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
+    auto library = openLibrary();
     if (!library)
         return Error{"OSMesa is not there (" + library.error().message + ")"};
     const OsMesa functions{library->find<decltype(&OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs"),
@@ -54,13 +60,25 @@ private:
 
 } // namespace
 
+std::jthread openDriverAhead(ContextKind kind)
+{
+    return kind == ContextKind::Egl ? std::jthread() : std::jthread([] { (void)openLibrary(); });
+}
+
 Result<std::unique_ptr<HeadlessContext>> openOsMesa()
 {
     const auto functions = loadOsMesa();
     if (!functions)
         return functions.error();
-    constexpr int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                  OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+    constexpr int attributes[] = {OSMESA_FORMAT,
+                                  OSMESA_RGBA,
+                                  OSMESA_PROFILE,
+                                  OSMESA_CORE_PROFILE,
+                                  OSMESA_CONTEXT_MAJOR_VERSION,
+                                  3,
+                                  OSMESA_CONTEXT_MINOR_VERSION,
+                                  3,
+                                  0};
     OSMesaContext context = (*functions).create(attributes, nullptr);
     if (!context)
         return Error{"OSMesa offers no OpenGL 3.3 core profile"};
