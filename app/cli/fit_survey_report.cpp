@@ -65,7 +65,7 @@ void print(const Survey& survey, double tolerance)
     std::printf("%-24s %10s %10s %12s %12s %12s\n", "model", "median", "within", "best by", "ns in", "ns in");
     std::printf("%-24s %10s %9.3g%% %12s %12s %12s\n", "", "rel. RMS", 100.0 * tolerance, "BIC", "double", "simd");
     for (std::size_t i = 0; i < survey.candidates.size(); ++i) {
-        const Candidate& candidate = survey.candidates[i];
+        const FittedModel& candidate = survey.candidates[i];
         const std::vector<double> errors = errorsOf(survey, candidate.label);
         const auto within = std::count_if(errors.begin(), errors.end(), [&](double e) { return e <= tolerance; });
         std::printf("%-24s %9.3g%% %10zu %12zu %12.3g %12.3g\n", candidate.label.c_str(), 100.0 * median(errors),
@@ -81,7 +81,7 @@ void print(const Survey& survey, double tolerance)
 Json described(const Survey& survey, double tolerance)
 {
     Json models = Json::array();
-    for (const Candidate& candidate : survey.candidates)
+    for (const FittedModel& candidate : survey.candidates)
         models.push_back(
             {{"model", candidate.label}, {"ns_double", candidate.nsDouble}, {"ns_simd", candidate.nsSimd}});
     Json surfaces = Json::array();
@@ -106,7 +106,7 @@ std::string csvOf(const Survey& survey)
     std::string text = "surface,format,samples,model,relative_rms,rms,aic,bic,ns_double,ns_simd\n";
     for (const SurveyedSurface& surface : survey.surfaces)
         for (std::size_t i = 0; i < surface.fits.size(); ++i) {
-            const Candidate& candidate = survey.candidates[i];
+            const FittedModel& candidate = survey.candidates[i];
             const auto& fit = surface.fits[i];
             if (!fit)
                 continue;

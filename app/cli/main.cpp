@@ -1,4 +1,5 @@
 // The program: verbs for scripts, and without a verb the explorer.
+#include "app/cli/command_pages.h"
 #include "app/cli/render_options.h"
 #include "app/cli/verbs.h"
 #include "app/explorer/explorer.h"
@@ -75,6 +76,9 @@ int run(int argc, char** argv)
         ->check(CLI::Range(1, explorer::tourLength()));
     program.add_option("--record", options.record, "write what you do in the window to this file (JSON), for --replay");
     program.add_option("--replay", options.replay, "do again what a recording holds");
+    bool man = false, completion = false;
+    program.add_flag("--man", man, "print the manual page, made from these tables of options");
+    program.add_flag("--bash-completion", completion, "print what bash completes, made from the same tables");
     int exitCode = Done;
     addRender(program, exitCode);
     addEval(program, exitCode);
@@ -87,6 +91,7 @@ int run(int argc, char** argv)
     addMatrix(program, exitCode);
     addTable(program, exitCode);
     addFit(program, exitCode);
+    addSweep(program, exitCode);
     addTrade(program, typed(argc, argv), exitCode);
     addGoniometer(program, exitCode);
     try {
@@ -96,6 +101,10 @@ int run(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return refused(
             Error{std::string(error.what()) + "; 'reflectance --help' and 'reflectance VERB --help' tell more"});
+    }
+    if (man || completion) {
+        std::cout << (man ? manPage(program, REFLECTANCE_VERSION) : bashCompletion(program));
+        return Done;
     }
     return program.get_subcommands().empty() ? explore(options) : exitCode;
 }

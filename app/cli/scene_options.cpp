@@ -1,12 +1,12 @@
 #include "app/cli/scene_options.h"
 
 #include "core/base/text.h"
+#include "core/geometry/orbit_view.h"
 #include "core/scene/library_surface.h"
 #include "core/scene/scene_file.h"
 #include "core/sensor/fields.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace reflectance::cli {
 namespace {
@@ -58,23 +58,13 @@ Error badLight(const std::string& text, const std::string& why)
                  "; write KIND:X,Y,Z[:I[:RADIUS]], as in directional:-1,2,2:1,0.9,0.8"};
 }
 
-/// The eye at azimuth and elevation from which the object fills the picture.
-Camera orbitCamera(Camera camera, double azimuth, double elevation, double aspect)
-{
-    const double a = azimuth * std::numbers::pi / 180.0;
-    const double e = elevation * std::numbers::pi / 180.0;
-    camera.target = {};
-    camera.eye = {std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)};
-    return framed(camera, aspect);
-}
-
 bool setCameraPart(std::string_view key, std::string_view value, double aspect, Camera& camera)
 {
     const auto numbers = numberList(value);
     if (!numbers)
         return false;
     if (key == "orbit" && numbers->size() == 2) {
-        camera = orbitCamera(camera, (*numbers)[0], (*numbers)[1], aspect);
+        camera = orbitView(camera, (*numbers)[0], (*numbers)[1], aspect);
         return true;
     }
     if (key == "fov" && numbers->size() == 1 && (*numbers)[0] >= 1.0 && (*numbers)[0] <= 120.0) {

@@ -26,6 +26,7 @@ void addCheck(CLI::App& program, int& exitCode);
 void addMatrix(CLI::App& program, int& exitCode);
 void addTable(CLI::App& program, int& exitCode);
 void addFit(CLI::App& program, int& exitCode);
+void addSweep(CLI::App& program, int& exitCode);
 /// `command`: as it was typed, for the report.
 void addTrade(CLI::App& program, const std::string& command, int& exitCode);
 void addGoniometer(CLI::App& program, int& exitCode);

@@ -1,5 +1,5 @@
 // Reads JSON objects key by key with checks; the first problem is kept as a sentence and keys nobody asked for are
-// problems too. Internal to scene files.
+// problems too. For scene files and studies.
 #pragma once
 
 #include "core/base/named_value.h"
@@ -48,11 +48,13 @@ public:
     /// Keys "schema" and "version": another schema or a newer version is a problem.
     void readVersion(const std::string& schema, int newest);
 
+    /// What stands under the key as it is; nullptr where it is not there.
+    [[nodiscard]] const Json* find(const char* key);
+
     void fail(const std::string& sentence); ///< keeps the first sentence only
     void finish();                          ///< complains of keys that nobody read
 
 private:
-    const Json* find(const char* key);
     std::string nameOf(const char* key) const { return where_ + "." + key; }
     std::string chosenName(const char* key, const std::vector<std::string>& names);
 

@@ -12,8 +12,9 @@
 #include <utility>
 
 namespace reflectance {
+namespace {
 
-Scene defaultScene()
+Scene madeDefaultScene()
 {
     Scene scene;
     scene.meshFile = "mug";
@@ -33,6 +34,15 @@ Scene defaultScene()
     fill.intensity = Vec3d(0.16, 0.19, 0.24);
     fill.angularRadius = 8.0;
     scene.lights = {key, fill};
+    return scene;
+}
+
+} // namespace
+
+/// Made once: every scene file begins with a copy, and copies share the mesh.
+Scene defaultScene()
+{
+    static const Scene scene = madeDefaultScene();
     return scene;
 }
 

@@ -107,7 +107,7 @@ bool repeatsAnEarlierModel(const ModelText& model)
 }
 
 /// One candidate per choice that the model offers.
-void addCandidates(const Model& model, std::vector<Candidate>& candidates)
+void addCandidates(const Model& model, std::vector<FittedModel>& candidates)
 {
     for (const Parameter& p : model.text.parameters)
         if (p.kind == ParameterKind::Choice) {
@@ -121,16 +121,16 @@ void addCandidates(const Model& model, std::vector<Candidate>& candidates)
 
 } // namespace
 
-std::vector<Candidate> candidatesOfCatalogue()
+std::vector<FittedModel> candidatesOfCatalogue()
 {
-    std::vector<Candidate> candidates;
+    std::vector<FittedModel> candidates;
     for (const Model& model : catalogue()) {
         if (model.text.usesLightSize || repeatsAnEarlierModel(model.text) ||
             variablesOf(model.text, ObservedForm::Grey, {}, {}).empty())
             continue;
         addCandidates(model, candidates);
     }
-    for (Candidate& candidate : candidates) {
+    for (FittedModel& candidate : candidates) {
         const std::vector<double> flat = flatValues(candidate.model->text, candidate.fixed);
         candidate.nsDouble = shadingCost(*candidate.model, flat, Precision::Double);
         candidate.nsSimd = shadingCost(*candidate.model, flat, Precision::Simd);
@@ -145,7 +145,7 @@ Result<Survey> survey(const std::vector<std::string>& paths, const FitOptions& o
     if (!subjects)
         return subjects.error();
     for (Subject& subject : *subjects) {
-        for (const Candidate& candidate : result.candidates) {
+        for (const FittedModel& candidate : result.candidates) {
             if (progress && progress->cancel)
                 return Error{"stopped"};
             FitOptions own = options;

@@ -10,7 +10,7 @@
 namespace reflectance {
 
 /// A model, with its choices made.
-struct Candidate {
+struct FittedModel {
     std::string label; ///< "oren_nayar", "koenderink, order 8"
     const Model* model = nullptr;
     ParameterValues fixed;
@@ -26,13 +26,13 @@ struct SurveyedSurface {
 
 struct Survey {
     FitOptions options;
-    std::vector<Candidate> candidates;
+    std::vector<FittedModel> candidates;
     std::vector<SurveyedSurface> surfaces;
     std::vector<std::string> skipped; ///< files that are no measured surfaces, in sentences
 };
 
 /// Every model of the catalogue that can be fitted to a surface without colour, once per choice that it offers, with costs.
-[[nodiscard]] std::vector<Candidate> candidatesOfCatalogue();
+[[nodiscard]] std::vector<FittedModel> candidatesOfCatalogue();
 
 /// Fits every candidate to every surface of the files, and of the folders with all they contain, in the order of their names.
 /// Surfaces are taken without their colour: the mean of the channels. Refused: a path that is not there, a folder without a

@@ -53,7 +53,7 @@ void pickOut(Series& series, std::size_t& colors)
 std::vector<std::string> pickedOut(const Survey& survey)
 {
     std::vector<std::string> others;
-    for (const Candidate& candidate : survey.candidates)
+    for (const FittedModel& candidate : survey.candidates)
         if (candidate.label != "lambert" && candidate.label != "hybrid")
             others.push_back(candidate.label);
     std::stable_sort(others.begin(), others.end(), [&](const std::string& a, const std::string& b) {
@@ -75,7 +75,7 @@ Chart servedChart(const Survey& survey, double tolerance)
                 {{tolerance, true, "tolerance"}}};
     std::size_t colors = 0;
     const std::vector<std::string> picked = pickedOut(survey);
-    for (const Candidate& candidate : survey.candidates)
+    for (const FittedModel& candidate : survey.candidates)
         if (std::find(picked.begin(), picked.end(), candidate.label) == picked.end())
             chart.series.push_back(servedSeries("", errorsOf(survey, candidate.label), from, to));
     for (const std::string& label : picked) {
@@ -130,7 +130,7 @@ Chart surfacesChart(const Survey& survey, double tolerance)
 Chart costChart(const Survey& survey)
 {
     Series models{"", seriesColor(0), {}, {}, {}, Mark::Dots, false, false, {}};
-    for (const Candidate& candidate : survey.candidates) {
+    for (const FittedModel& candidate : survey.candidates) {
         models.x.push_back(candidate.nsSimd);
         models.y.push_back(medianOf(errorsOf(survey, candidate.label)));
         models.labels.push_back(candidate.label);

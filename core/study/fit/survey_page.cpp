@@ -133,7 +133,7 @@ std::string modelsText(const Survey& survey, double tolerance)
         row({"model", "median error", "90 of 100 within", "serves", "best by BIC", "ns, double", "ns, SIMD"}) +
         row({"---", "---", "---", "---", "---", "---", "---"});
     for (std::size_t i = 0; i < survey.candidates.size(); ++i) {
-        const Candidate& candidate = survey.candidates[i];
+        const FittedModel& candidate = survey.candidates[i];
         const std::vector<double> errors = errorsOf(survey, candidate.label);
         const auto within = std::count_if(errors.begin(), errors.end(), [&](double e) { return e <= tolerance; });
         const auto best = std::count_if(survey.surfaces.begin(), survey.surfaces.end(),

@@ -113,7 +113,7 @@ TEST(Survey, TheCheapestIsWithinTheToleranceAndNoneIsCheaper)
 
 TEST(Survey, CostsAreMeasured)
 {
-    for (const Candidate& candidate : theSurvey().candidates) {
+    for (const FittedModel& candidate : theSurvey().candidates) {
         EXPECT_GT(candidate.nsDouble, 0.0) << candidate.label;
         EXPECT_GT(candidate.nsSimd, 0.0) << candidate.label;
     }
