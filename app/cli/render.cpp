@@ -1,8 +1,8 @@
 // `render`: one picture, by the GL or the CPU renderer, and the figures about it.
 #include "app/cli/lens_picture.h"
 #include "app/cli/long_work.h"
-#include "app/cli/render_options.h"
 #include "app/cli/probe_report.h"
+#include "app/cli/render_options.h"
 #include "app/cli/report.h"
 #include "app/cli/verbs.h"
 #include "app/cli/waterfall_report.h"
@@ -46,6 +46,8 @@ nlohmann::ordered_json report(const Options& options, const Scene& scene, const 
                                    {"clipped_pixels", counts.clipped},
                                    {"non_finite_pixels", counts.nonFinite},
                                    {"left_out", options.general ? std::vector<std::string>() : leftOut(scene)}};
+    if (rendered.generalMilliseconds > 0.0)
+        figures["general_shading_ms"] = rendered.generalMilliseconds;
     if (waterfall)
         figures["waterfall"] = waterfallReport(*waterfall);
     return figures;

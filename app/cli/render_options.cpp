@@ -29,6 +29,7 @@ Result<RenderPlan> planFrom(const RenderOptions& options)
         return lobe.error();
     plan.lobe = *lobe;
     plan.specialised = !options.general;
+    plan.alsoGeneral = plan.specialised && !options.json.empty(); // what was left out is reported with what it saved
     if (options.precision.empty())
         return plan;
     if (options.precision == "glsl")

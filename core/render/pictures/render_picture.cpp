@@ -18,34 +18,50 @@ double millisecondsSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// The median of the shadings after the first.
-template <class Shade> double medianMilliseconds(int repetitions, Shade shade)
+double median(std::vector<double> times)
 {
-    std::vector<double> times;
-    for (int i = 0; i < repetitions; ++i) {
-        const Clock::time_point start = Clock::now();
-        shade();
-        times.push_back(millisecondsSince(start));
-    }
     if (times.empty())
         return 0.0;
     std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
     return times[times.size() / 2];
 }
 
+/// The medians of the shadings after the first: shade(specialised). The general path, where it is asked for, takes turns with
+/// the other, which comes last and leaves the picture.
+template <class Shade> void timeShadings(const RenderPlan& plan, Shade shade, Rendered& rendered)
+{
+    const auto timed = [&](bool specialised) {
+        const Clock::time_point start = Clock::now();
+        shade(specialised);
+        return millisecondsSince(start);
+    };
+    std::vector<double> asPlanned;
+    std::vector<double> general;
+    if (plan.alsoGeneral && plan.frames > 1)
+        shade(false); // links a program, warms caches
+    for (int i = 1; i < plan.frames; ++i) {
+        if (plan.alsoGeneral)
+            general.push_back(timed(false));
+        asPlanned.push_back(timed(plan.specialised));
+    }
+    rendered.shadingMilliseconds = median(std::move(asPlanned));
+    rendered.generalMilliseconds = median(std::move(general));
+}
+
 /// Shades `plan.frames` times what was sampled once.
 void renderFrames(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan, Progress* progress,
                   Rendered& rendered)
 {
-    const Arithmetic arithmetic(plan.precision, plan.lobe, plan.specialised);
     const Clock::time_point start = Clock::now();
     const PlacedView view = placedView(
         std::make_shared<const ViewSamples>(sampleView(*makeRayScene(scene.mesh), scene.camera, settings, progress)),
         *scene.mesh, plan.place);
-    const auto shade = [&] { rendered.image = shadePlaces(view, scene, arithmetic); };
-    shade();
+    const auto shade = [&](bool specialised) {
+        rendered.image = shadePlaces(view, scene, {plan.precision, plan.lobe, specialised});
+    };
+    shade(plan.specialised);
     rendered.firstFrameMilliseconds = millisecondsSince(start);
-    rendered.shadingMilliseconds = medianMilliseconds(plan.frames - 1, shade);
+    timeShadings(plan, shade, rendered);
 }
 
 Result<Rendered> renderByCpu(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
@@ -78,17 +94,19 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
     auto renderer = GlRenderer::create(context.loader());
     if (!renderer)
         return renderer.error();
-    const GlShading how{plan.place, false, plan.lobe, plan.specialised};
+    GlShading how{plan.place, false, plan.lobe, plan.specialised};
     if (const auto drawn = renderer->render(scene, settings, how); !drawn)
         return drawn.error();
     renderer->finish();
     rendered.firstFrameMilliseconds = millisecondsSince(start);
     Result<void> last;
-    rendered.shadingMilliseconds = medianMilliseconds(plan.frames - 1, [&] {
+    const auto shade = [&](bool specialised) {
+        how.specialised = specialised;
         renderer->invalidateShading();
         last = renderer->render(scene, settings, how);
         renderer->finish();
-    });
+    };
+    timeShadings(plan, shade, rendered);
     if (!last)
         return last.error();
     rendered.image = renderer->readLinear();

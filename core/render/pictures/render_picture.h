@@ -22,7 +22,8 @@ struct RenderPlan {
     int frames = 1;              ///< shadings; more than one for timing
     Place place = Place::Sample; ///< where the model is evaluated; the GL renderer knows Sample and Pixel
     LobeForm lobe = LobeForm::Conditioned;
-    bool specialised = true; ///< see Arithmetic
+    bool specialised = true;  ///< see Arithmetic
+    bool alsoGeneral = false; ///< time the general path as well, with more than one frame
 };
 
 struct Rendered {
@@ -31,6 +32,7 @@ struct Rendered {
     std::string precision;               ///< "double", "glsl"
     double firstFrameMilliseconds = 0.0; ///< visibility and shading, from nothing
     double shadingMilliseconds = 0.0;    ///< shading again: the median of the frames after the first; 0 for one frame
+    double generalMilliseconds = 0.0;    ///< the same by the general path; 0 where it was not timed
 };
 
 /// `progress` lets another thread watch and stop the CPU renderer; the Error then says that it was stopped.
