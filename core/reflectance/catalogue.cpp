@@ -46,7 +46,7 @@ std::vector<Model> readCatalogue()
         }
         const std::size_t i = models.size();
         texts.push_back(*text);
-        models.push_back({{doubleKernels()[i], floatKernels()[i], lanesKernels()[i]}, *std::move(text), {}, {}});
+        models.push_back({{doubleKernels()[i], floatKernels()[i], lanesKernels()[i]}, *std::move(text), {}, {}, {}});
         if (models.back().text.usesLobe)
             models.back().otherLobes = kernelsOfOtherLobes(withLobe++);
         addSpecials(models.back());
