@@ -59,23 +59,40 @@ std::optional<double> instructionsPerShading(const Kernel<T>& kernel, const std:
     return static_cast<double>(*count) / static_cast<double>(blockSize);
 }
 
+/// As shadeSamples chooses.
+const Kernels& kernelsOf(const RequiredModel& required, const Arithmetic& arithmetic)
+{
+    return arithmetic.lobe != LobeForm::Conditioned && required.model->text.usesLobe
+               ? required.model->with(arithmetic.lobe)
+               : required.model->with(required.form);
+}
+
+double costOf(const Kernels& kernels, Precision precision, const std::vector<double>& flat)
+{
+    if (precision == Precision::Double)
+        return costOf(kernels.exact, flat);
+    return costOf(precision == Precision::Float ? kernels.single : kernels.lanes, flat);
+}
+
 } // namespace
 
 double shadingCost(const Model& model, const std::vector<double>& flat, const Arithmetic& arithmetic)
 {
-    const Kernels& kernels = model.with(arithmetic.lobe);
-    if (arithmetic.precision == Precision::Double)
-        return costOf(kernels.exact, flat);
-    return costOf(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes, flat);
+    return costOf(model.with(arithmetic.lobe), arithmetic.precision, flat);
 }
 
-std::optional<double> shadingInstructions(const Model& model, const std::vector<double>& flat,
-                                          const Arithmetic& arithmetic)
+double shadingCost(const RequiredModel& required, const Arithmetic& arithmetic)
 {
-    const Kernels& kernels = model.with(arithmetic.lobe);
+    return costOf(kernelsOf(required, arithmetic), arithmetic.precision, required.values);
+}
+
+std::optional<double> shadingInstructions(const RequiredModel& required, const Arithmetic& arithmetic)
+{
+    const Kernels& kernels = kernelsOf(required, arithmetic);
     if (arithmetic.precision == Precision::Double)
-        return instructionsPerShading(kernels.exact, flat);
-    return instructionsPerShading(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes, flat);
+        return instructionsPerShading(kernels.exact, required.values);
+    return instructionsPerShading(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes,
+                                  required.values);
 }
 
 } // namespace reflectance

@@ -3,6 +3,7 @@
 
 #include "core/reflectance/arithmetic.h"
 #include "core/reflectance/catalogue.h"
+#include "core/reflectance/required_model.h"
 
 #include <optional>
 
@@ -12,8 +13,10 @@ namespace reflectance {
 /// Not for Glsl.
 [[nodiscard]] double shadingCost(const Model& model, const std::vector<double>& flat, const Arithmetic& arithmetic);
 
+/// The same of what a renderer runs: the form that the values require, or another form of the lobe.
+[[nodiscard]] double shadingCost(const RequiredModel& required, const Arithmetic& arithmetic);
+
 /// Machine instructions for the same; nothing where the system does not count them.
-[[nodiscard]] std::optional<double> shadingInstructions(const Model& model, const std::vector<double>& flat,
-                                                        const Arithmetic& arithmetic);
+[[nodiscard]] std::optional<double> shadingInstructions(const RequiredModel& required, const Arithmetic& arithmetic);
 
 } // namespace reflectance

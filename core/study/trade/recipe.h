@@ -19,10 +19,11 @@ struct Recipe {
     Place place = Place::Sample;
     bool lobePerSample = false; ///< with Place::Vertex: the hybrid's body per vertex, its highlight at every sample
     int reduction = 1;          ///< drawn at 1 / reduction of width and height, then upscaled (core/image/upscale.h)
+    bool specialised = true;    ///< what the scene does not require is left out
     bool halfBuffer = false;    ///< GL keeps the linear picture in 16-bit floats
     std::vector<std::string> rungs = {}; ///< taken so far, by id
 
-    [[nodiscard]] Arithmetic arithmetic() const { return {precision, lobe}; } ///< on the CPU
+    [[nodiscard]] Arithmetic arithmetic() const { return {precision, lobe, specialised}; } ///< on the CPU
     [[nodiscard]] bool onGl() const { return precision == Precision::Glsl; }
 };
 

@@ -11,12 +11,25 @@
 namespace reflectance {
 
 /// What a rung trades. Two rungs of one axis exclude each other.
-enum class RungAxis { Precision, Matrix, Lobe, Model, Place, Samples, Resolution, Table, Lights, Environment };
+enum class RungAxis {
+    Precision,
+    Matrix,
+    Lobe,
+    Requirements,
+    Model,
+    Place,
+    Samples,
+    Resolution,
+    Table,
+    Lights,
+    Environment
+};
 
 [[nodiscard]] constexpr std::string_view nameOf(RungAxis axis)
 {
-    constexpr std::string_view names[] = {"precision", "colour matrix", "lobe",  "model",  "shading place",
-                                          "samples",   "resolution",    "table", "lights", "environment"};
+    constexpr std::string_view names[] = {"precision", "colour matrix", "lobe",       "requirements",
+                                          "model",     "shading place", "samples",    "resolution",
+                                          "table",     "lights",        "environment"};
     return names[static_cast<int>(axis)];
 }
 

@@ -33,6 +33,9 @@ std::span<const Rung> rungs()
         {"lobe_table", RungAxis::Lobe, "the lobe, for 256 steps in sqrt(1 - c)", true, true, lobeAs,
          code(LobeForm::Table)},
 
+        {"general_path", RungAxis::Requirements, "nothing, and nothing is left out that the scene does not require",
+         true, true, generalPath},
+
         {"no_highlight", RungAxis::Model, "the highlight", true, true, withoutHighlight},
         {"oren_nayar", RungAxis::Model, "interreflection in the grooves (the A/B form)", true, true,
          qualitativeOrenNayar},

@@ -2,6 +2,7 @@
 
 #include "core/image/colour_difference.h"
 #include "core/render/cpu/cpu_renderer.h"
+#include "core/scene/requirements.h"
 #include "core/study/cost/shading_cost.h"
 #include "core/study/trade/rung.h"
 
@@ -65,7 +66,7 @@ private:
 
 double kernelCost(const Scene& scene)
 {
-    return shadingCost(modelOf(scene), valuesOf(scene), Precision::Simd);
+    return shadingCost(requiredSurface(scene), Precision::Simd);
 }
 
 /// Whether a model has all the rungs of another and more, and yet saves less than a tenth: noise decides such pairs, and the

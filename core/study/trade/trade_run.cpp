@@ -1,5 +1,6 @@
 #include "core/study/trade/trade_run.h"
 
+#include "core/scene/requirements.h"
 #include "core/study/cost/shading_cost.h"
 #include "core/study/trade/rung.h"
 
@@ -119,9 +120,9 @@ void TradeRun::measureKernel(Candidate& candidate) const
     const Model& model = modelOf(recipe.scene);
     if (recipe.onGl() || recipe.lobePerSample || model.text.usesTable)
         return;
-    const std::vector<double> values = valuesOf(recipe.scene);
-    candidate.kernelNs = shadingCost(model, values, recipe.arithmetic());
-    candidate.kernelInstructions = shadingInstructions(model, values, recipe.arithmetic());
+    const RequiredModel required = requiredSurface(recipe.scene, recipe.arithmetic());
+    candidate.kernelNs = shadingCost(required, recipe.arithmetic());
+    candidate.kernelInstructions = shadingInstructions(required, recipe.arithmetic());
 }
 
 void TradeRun::next(Stage stage)

@@ -107,7 +107,8 @@ Image Workshop::shadedOnCpu(const Prepared& prepared) const
 Result<void> Workshop::drawOnGl(const Prepared& prepared)
 {
     const Recipe& recipe = prepared.recipe;
-    return gl_->render(recipe.scene, drawnSettings(recipe), {recipe.place, recipe.halfBuffer, recipe.lobe});
+    return gl_->render(recipe.scene, drawnSettings(recipe),
+                       {recipe.place, recipe.halfBuffer, recipe.lobe, recipe.specialised});
 }
 
 Result<Image> Workshop::picture(const Prepared& prepared)

@@ -92,7 +92,8 @@ TEST(Rungs, EveryOneAppliesSomewhere)
     inPicture.environment.map = std::make_shared<const Image>(16, 8);
     scenes.push_back(inPicture);
     scenes.push_back(shinyScene());
-    scenes.back().surface.values["n"] = {30.0}; // squarings are made for whole exponents
+    scenes.back().surface.values["n"] = {30.0};                            // squarings are made for whole exponents
+    scenes.back().surface.values["K"] = {0.5, 0, 0, 0, 0.4, 0, 0, 0, 0.3}; // and there is something to leave out
     for (const Rung& rung : rungs()) {
         bool applies = false;
         for (const Scene& scene : scenes)

@@ -14,6 +14,8 @@ Applied greyK(int amount, Recipe& recipe);
 
 Applied lobeAs(int form, Recipe& recipe);
 
+Applied generalPath(int amount, Recipe& recipe);
+
 Applied withoutHighlight(int amount, Recipe& recipe);
 Applied qualitativeOrenNayar(int amount, Recipe& recipe);
 Applied energyPreserving(int polynomial, Recipe& recipe);
