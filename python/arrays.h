@@ -81,5 +81,6 @@ private:
 void addModels(py::module_& module);
 void addTables(py::module_& module);
 void addPictures(py::module_& module);
+void addTrade(py::module_& module);
 
 } // namespace reflectance::python

@@ -10,4 +10,5 @@ PYBIND11_MODULE(reflectance, module)
     reflectance::python::addModels(module);
     reflectance::python::addTables(module);
     reflectance::python::addPictures(module);
+    reflectance::python::addTrade(module);
 }

@@ -1,10 +1,9 @@
 // Pictures as arrays: rendered, compared.
-#include "core/base/text.h"
 #include "core/image/compare.h"
 #include "core/image/perceived.h"
 #include "core/render/pictures/render_picture.h"
-#include "core/scene/scene_file.h"
 #include "python/arrays.h"
+#include "python/scenes.h"
 
 #include <algorithm>
 #include <pybind11/stl.h>
@@ -13,13 +12,6 @@ namespace reflectance::python {
 namespace {
 
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
-
-Scene sceneFrom(const std::string& text)
-{
-    if (text.empty())
-        return defaultScene();
-    return unwrapped(trimmed(text).starts_with("{") ? parseScene(text, "", "") : loadScene(text));
-}
 
 RenderPlan planFor(const std::string& renderer)
 {

@@ -8,6 +8,7 @@
 #include "core/reflectance/model_text.h"
 #include "tools/translate.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 
@@ -17,10 +18,16 @@ using namespace reflectance;
 using tools::contents;
 using tools::instantiated;
 
-std::string memberType(ParameterKind kind)
+/// ks, which has a form of its own where it is one number: see special_form.h.
+bool isHeight(const Parameter& p)
 {
-    constexpr const char* types[] = {"T", "Vec3<T>", "Mat3<T>", "int", "T"}; // in the order of ParameterKind
-    return types[static_cast<std::size_t>(kind)];
+    return p.kind == ParameterKind::Color && p.name == "ks";
+}
+
+std::string memberType(const Parameter& p)
+{
+    constexpr const char* types[] = {"T", "Vec3<T>", "Matrix", "int", "T"}; // in the order of ParameterKind
+    return isHeight(p) ? "Height" : types[static_cast<std::size_t>(p.kind)];
 }
 
 std::string memberValue(const Parameter& p)
@@ -39,19 +46,22 @@ std::string memberValue(const Parameter& p)
             numbers += (i > 0 ? ", " : "") + number(i);
         return numbers;
     }
+    if (isHeight(p))
+        return "colorFrom<T, Height>(values + " + std::to_string(p.offset) + ")";
     if (p.kind == ParameterKind::Color)
         return triple(0);
-    return "Mat3<T>{{" + triple(0) + ", " + triple(3) + ", " + triple(6) + "}}";
+    return "matrixFrom<T, Matrix>(values + " + std::to_string(p.offset) + ")";
 }
 
 void writeModel(std::ostream& out, const ModelText& model)
 {
-    out << "\ntemplate <class T" << (model.usesLobe ? ", template <class> class Lobe = ConditionedLobe" : "")
-        << "> struct " << model.id << " : Frame<T>" << (model.usesLobe ? ", Lobe<T>" : "") << " {\n"
+    out << "\ntemplate <class T, template <class> class Lobe = ConditionedLobe, class Matrix = Mat3<T>, class Height = "
+           "Vec3<T>>\n"
+        << "struct " << model.id << " : Frame<T>" << (model.usesLobe ? ", Lobe<T>" : "") << " {\n"
         << "    using Frame<T>::insideLight;\n    using Frame<T>::environment;\n    using Frame<T>::tableAt;\n"
         << (model.usesLobe ? "    using Lobe<T>::lobe;\n" : "");
     for (const Parameter& p : model.parameters)
-        out << "    " << memberType(p.kind) << " " << p.name
+        out << "    " << memberType(p) << " " << p.name
             << (p.kind == ParameterKind::List ? "[" + std::to_string(p.size) + "]" : "") << ";\n";
     out << "\n    explicit " << model.id << "(const double* values)";
     const char* separator = " : ";
@@ -60,6 +70,34 @@ void writeModel(std::ostream& out, const ModelText& model)
         separator = ", ";
     }
     out << " {}\n\n#line 1 \"shaders/reflectance/" << model.id << ".glsl\"\n" << instantiated(model.code) << "};\n";
+}
+
+/// "DO(hybrid, Diagonal, One, false)" for each special form of the model that has kernels of its own. Those that a declared
+/// limit leads elsewhere are left out: lambert_color with a grey K runs as lambert.
+void writeSpecials(std::ostream& out, const ModelText& model)
+{
+    const auto write = [&](const char* K, const char* ks, bool facing) {
+        out << " DO(" << model.id << ", MatrixForm::" << K << ", ColorForm::" << ks << ", "
+            << (facing ? "true" : "false") << ")";
+    };
+    const bool hasMatrix = model.find("K") != nullptr;
+    const bool hasBlackLimit = std::any_of(model.becomes.begin(), model.becomes.end(), [](const DeclaredLimit& limit) {
+        return limit.exactly && limit.where == "K=0";
+    });
+    const bool hasHeight = model.find("ks") != nullptr && isHeight(*model.find("ks"));
+    if (model.id == "lambert")
+        write("Full", "Three", true);
+    if (model.id == "lambert_color") {
+        write("Diagonal", "Three", false);
+        write("Diagonal", "Three", true);
+        write("Full", "Three", true);
+    } else if (hasHeight) {
+        write("Full", "One", false);
+        for (const char* K : {"Diagonal", "Grey", "Zero"})
+            for (const char* ks : {"Three", "One"})
+                if (hasMatrix && !(hasBlackLimit && K == std::string_view("Zero")))
+                    write(K, ks, false);
+    }
 }
 
 int run(const std::string& folder, const std::string& list, const std::string& header)
@@ -78,7 +116,7 @@ int run(const std::string& folder, const std::string& list, const std::string& h
     }
     std::ofstream out(header);
     out << "// Made by tools/make_models from shaders/reflectance; do not edit.\n#pragma once\n\n"
-           "#include \"core/reflectance/frame.h\"\n\n"
+           "#include \"core/reflectance/frame.h\"\n#include \"core/reflectance/special_types.h\"\n\n"
            "#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n\n"
            "namespace reflectance::models {\n";
     for (const ModelText& model : models)
@@ -87,6 +125,9 @@ int run(const std::string& folder, const std::string& list, const std::string& h
            "REFLECTANCE_FOR_EACH_MODEL(DO)";
     for (const ModelText& model : models)
         out << " DO(" << model.id << ")";
+    out << "\n\n#define REFLECTANCE_FOR_EACH_SPECIAL(DO)";
+    for (const ModelText& model : models)
+        writeSpecials(out, model);
     out << "\n\n#define REFLECTANCE_FOR_EACH_MODEL_WITH_LOBE(DO)";
     for (const ModelText& model : models)
         if (model.usesLobe)

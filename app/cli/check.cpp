@@ -3,6 +3,7 @@
 #include "app/cli/report.h"
 #include "app/cli/verbs.h"
 #include "core/base/text.h"
+#include "core/reflectance/own_model.h"
 #include "core/study/properties/matrix_facts.h"
 
 #include <CLI/CLI.hpp>
@@ -18,6 +19,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
     std::string model;
+    std::string modelFile;
     std::string json;
     bool thorough = false;
 };
@@ -96,19 +98,39 @@ Json checked(const Model& model, const Options& options, std::map<properties::Ve
             {"matrices", matrices}};
 }
 
+/// What is to be checked: the own model alone, or those of the catalogue.
+Result<std::vector<const Model*>> wanted(const Options& options, std::shared_ptr<const Model>& own)
+{
+    if (!options.modelFile.empty()) {
+        auto read = readOwnModel(options.modelFile);
+        if (!read)
+            return read.error();
+        own = *std::move(read);
+        return std::vector<const Model*>{own.get()};
+    }
+    std::vector<const Model*> models;
+    // A table is as good as its measurement; `table info` says how good that is.
+    for (const Model& model : catalogue())
+        if (!model.text.usesTable && (options.model.empty() || model.id() == options.model))
+            models.push_back(&model);
+    return models;
+}
+
 int run(const Options& options)
 {
     if (!options.model.empty())
         if (const auto found = findModel(options.model); !found)
             return refused(found.error());
+    std::shared_ptr<const Model> own;
+    const auto asked = wanted(options, own);
+    if (!asked)
+        return refused(asked.error());
     if (options.json != "-")
         std::cout << "    property       verdict           worst         allowed   what it asks\n\n";
     std::map<properties::Verdict, int> counts;
     Json models = Json::array();
-    for (const Model& model : catalogue())
-        // A table is as good as its measurement; `table info` says how good that is.
-        if (!model.text.usesTable && (options.model.empty() || model.id() == options.model))
-            models.push_back(checked(model, options, counts));
+    for (const Model* model : *asked)
+        models.push_back(checked(*model, options, counts));
     const int broken = counts[properties::Verdict::Broken];
     if (options.json != "-")
         std::cout << models.size() << (models.size() == 1 ? " model: " : " models: ")
@@ -129,6 +151,7 @@ void addCheck(CLI::App& program, int& exitCode)
     CLI::App* verb = program.add_subcommand(
         "check", "Furnace, reciprocity, passivity and limits of every model over its parameter ranges");
     verb->add_option("--model", options->model, "this model only");
+    verb->add_option("--model-file", options->modelFile, "a model of your own, and no other");
     verb->add_option("--json", options->json, "all figures as JSON, to a file or - for standard output");
     verb->add_flag("--thorough", options->thorough, "more parameters and directions: a minute instead of a second");
     verb->callback([options, &exitCode] { exitCode = run(*options); });

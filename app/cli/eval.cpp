@@ -4,6 +4,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/reflectance/evaluate.h"
+#include "core/reflectance/own_model.h"
 #include "core/render/gl/gl_renderer.h"
 #include "core/render/pictures/render_picture.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 struct EvalOptions {
     std::string rows;
+    std::string modelFile;
     std::string precision = "double";
     std::string context = "any";
 };
@@ -87,7 +89,14 @@ int runEval(const EvalOptions& options)
         fromInput ? Result(std::string(std::istreambuf_iterator<char>(std::cin), {})) : readWholeFile(options.rows);
     if (!csv)
         return refused(csv.error());
-    const auto parsed = parseEvalRows(*csv, fromInput ? "standard input" : options.rows);
+    std::shared_ptr<const Model> own;
+    if (!options.modelFile.empty()) {
+        const auto read = readOwnModel(options.modelFile);
+        if (!read)
+            return refused(read.error());
+        own = *read;
+    }
+    const auto parsed = parseEvalRows(*csv, fromInput ? "standard input" : options.rows, own);
     if (!parsed)
         return refused(parsed.error());
     const auto results = evaluateRows(parsed->rows, options);
@@ -112,6 +121,8 @@ void addEval(CLI::App& program, int& exitCode)
     auto options = std::make_shared<EvalOptions>();
     CLI::App* verb = program.add_subcommand("eval", description);
     verb->add_option("--rows", options->rows, "CSV file, or - for standard input")->required();
+    verb->add_option("--model-file", options->modelFile,
+                     "a model of your own, which rows name by its file's name without the ending");
     verb->add_option("--precision", options->precision, "double, float, simd or glsl")
         ->check(CLI::IsMember({"double", "float", "simd", "glsl"}))
         ->capture_default_str();

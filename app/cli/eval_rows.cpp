@@ -85,10 +85,8 @@ const std::shared_ptr<const MeasuredTable>* known(std::string_view assignment, c
     return found == tables.end() ? nullptr : &found->second;
 }
 
-Result<Surface> parseSurface(std::string_view model, std::string_view params, Tables& tables)
+Result<Surface> parseSurface(Surface surface, std::string_view params, Tables& tables)
 {
-    Surface surface;
-    surface.model = model;
     for (const std::string_view assignment : split(params, ';')) {
         if (trimmed(assignment).empty())
             continue;
@@ -104,15 +102,18 @@ Result<Surface> parseSurface(std::string_view model, std::string_view params, Ta
     return surface;
 }
 
-Result<EvalRow> parseRow(const Fields& fields, Tables& tables)
+Result<EvalRow> parseRow(const Fields& fields, Tables& tables, const std::shared_ptr<const Model>& own)
 {
     EvalRow row;
     row.id = fields[Id];
-    const auto model = findModel(fields[ModelId]);
+    Surface named;
+    named.model = fields[ModelId];
+    named.own = row.own = own;
+    const auto model = findModelOf(named);
     if (!model)
         return bad(ModelId, model.error().message);
     row.model = *model;
-    const auto surface = parseSurface(fields[ModelId], fields[Params], tables);
+    const auto surface = parseSurface(std::move(named), fields[Params], tables);
     if (!surface)
         return surface.error();
     row.values = flatValues(row.model->text, surface->values);
@@ -151,7 +152,7 @@ Result<std::array<std::size_t, ColumnCount>> parseHeader(std::string_view line, 
 
 } // namespace
 
-Result<EvalRows> parseEvalRows(std::string_view csv, const std::string& file)
+Result<EvalRows> parseEvalRows(std::string_view csv, const std::string& file, const std::shared_ptr<const Model>& own)
 {
     if (csv.starts_with("\xEF\xBB\xBF"))
         csv.remove_prefix(3);
@@ -172,8 +173,8 @@ Result<EvalRows> parseEvalRows(std::string_view csv, const std::string& file)
             complete = complete && (place == absent || place < parts.size());
             fields[c] = place < parts.size() ? parts[place] : std::string_view();
         }
-        auto row =
-            complete ? parseRow(fields, tables) : Result<EvalRow>(Error{"the row has fewer fields than the header"});
+        auto row = complete ? parseRow(fields, tables, own)
+                            : Result<EvalRow>(Error{"the row has fewer fields than the header"});
         if (row)
             result.rows.push_back(*std::move(row));
         else

@@ -26,12 +26,13 @@ Notes notesFor(const Scene& scene, const Rendered& rendered)
 }
 
 /// Without a display the default view goes to a picture, and the user learns how to get others.
-int renderInstead(const std::string& input, const std::optional<std::string>& environment)
+int renderInstead(const explorer::ExplorerOptions& wanted)
 {
     constexpr const char* out = "reflectance.png";
     SceneOptions options;
-    options.input = input;
-    options.environment = environment.value_or("");
+    options.input = wanted.input;
+    options.modelFile = wanted.modelFile;
+    options.environment = wanted.environment.value_or("");
     const auto scene = sceneFrom(options);
     if (!scene)
         return refused(scene.error());
@@ -51,7 +52,7 @@ int explore(const explorer::ExplorerOptions& options)
     const auto ended = explorer::runExplorer(options);
     if (!ended)
         return refused(ended.error());
-    return *ended == explorer::Outcome::NoDisplay ? renderInstead(options.input, options.environment) : Done;
+    return *ended == explorer::Outcome::NoDisplay ? renderInstead(options) : Done;
 }
 
 /// The command line as it was typed.
@@ -70,6 +71,7 @@ int run(int argc, char** argv)
     explorer::ExplorerOptions options;
     program.add_option("input", options.input,
                        "mesh (OBJ, PLY, OFF, STL), stock mesh name, scene file (.json) or saved picture (.png, .exr)");
+    program.add_option("--model-file", options.modelFile, "a model of your own (.glsl) on the object");
     program.add_option("--environment", options.environment,
                        "latitude-longitude picture (.exr, .hdr) around the object");
     program.add_option("--tour", options.tour, "begin with this step of the guided tour")
@@ -92,6 +94,7 @@ int run(int argc, char** argv)
     addTable(program, exitCode);
     addFit(program, exitCode);
     addSweep(program, exitCode);
+    addBench(program, exitCode);
     addTrade(program, typed(argc, argv), exitCode);
     addGoniometer(program, exitCode);
     try {

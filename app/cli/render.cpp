@@ -2,6 +2,7 @@
 #include "app/cli/lens_picture.h"
 #include "app/cli/long_work.h"
 #include "app/cli/render_options.h"
+#include "app/cli/probe_report.h"
 #include "app/cli/report.h"
 #include "app/cli/verbs.h"
 #include "app/cli/waterfall_report.h"
@@ -25,7 +26,7 @@ namespace {
 
 using Options = RenderOptions;
 
-nlohmann::ordered_json report(const Options& options, const Scene& scene, const Recipe& recipe,
+nlohmann::ordered_json report(const Options& options, const Scene& scene, const PictureRecipe& recipe,
                               const Rendered& rendered, const SensorCounts& counts,
                               const std::optional<Waterfall>& waterfall)
 {
@@ -44,7 +45,7 @@ nlohmann::ordered_json report(const Options& options, const Scene& scene, const 
                                    {"negative_pixels", counts.negative},
                                    {"clipped_pixels", counts.clipped},
                                    {"non_finite_pixels", counts.nonFinite},
-                                   {"left_out", leftOut(scene)}};
+                                   {"left_out", options.general ? std::vector<std::string>() : leftOut(scene)}};
     if (waterfall)
         figures["waterfall"] = waterfallReport(*waterfall);
     return figures;
@@ -87,7 +88,7 @@ Result<Image> asWritten(const std::string& path)
 /// The picture that was asked for, and what the last rendering of it took.
 struct Made {
     explorer::ShownPicture picture;
-    Recipe recipe;
+    PictureRecipe recipe;
     Rendered last; ///< without its image
 };
 
@@ -183,8 +184,38 @@ int renderAndReport(const Options& options, const Scene& scene, const RenderSett
     return image ? compareWithReference(options, *image) : refused(image.error());
 }
 
+/// One point of the picture instead of the picture.
+int runProbe(const Options& options)
+{
+    const auto parts = split(options.probe, ',');
+    const auto x = parts.size() == 2 ? parseNumber(trimmed(parts[0])) : std::nullopt;
+    const auto y = parts.size() == 2 ? parseNumber(trimmed(parts[1])) : std::nullopt;
+    if (!x || !y)
+        return refused(
+            Error{"--probe " + options.probe + ": write X,Y in pixels from the upper left corner, as in 320,240.5"});
+    const auto settings = settingsFrom(options.scene);
+    if (!settings)
+        return refused(settings.error());
+    const auto scene = sceneFrom(options.scene);
+    if (!scene)
+        return refused(scene.error());
+    const auto point = pointAt(*scene->mesh, scene->camera, *x, *y, settings->width, settings->height);
+    if (!point)
+        return refused(Error{"--probe " + options.probe + ": the object is not seen there; the picture is " +
+                             std::to_string(settings->width) + "x" + std::to_string(settings->height)});
+    const Probe probe = probeAt(*scene, *point);
+    if (options.json != "-")
+        std::cout << probeText(probe) << std::flush;
+    const auto written = writeReport(options.json, probeReport(probe));
+    return written ? Done : refused(written.error());
+}
+
 int run(const Options& asked)
 {
+    if (!asked.probe.empty())
+        return runProbe(asked);
+    if (asked.out.empty())
+        return refused(Error{"--out is missing; name a picture (.png, .exr or .pfm), or a point by --probe X,Y"});
     const auto format = outputFormat(asked.out);
     if (!format)
         return refused(format.error());
@@ -221,8 +252,9 @@ void addRender(CLI::App& program, int& exitCode)
     CLI::App* verb = program.add_subcommand("render", "One picture of a mesh or a scene, without a window");
     addSceneOptions(*verb, options->scene);
     verb->add_option("--out", options->out,
-                     "picture to write: .png (after the sensor), .exr or .pfm (linear, before it)")
-        ->required();
+                     "picture to write: .png (after the sensor), .exr or .pfm (linear, before it)");
+    verb->add_option("--probe", options->probe,
+                     "X,Y in pixels: no picture, but what happens at this point, from the lights to the code value");
     verb->add_option("--backend", options->backend, "auto (GL where there is one), gl or cpu")
         ->check(CLI::IsMember({"auto", "gl", "cpu"}))
         ->capture_default_str();
@@ -239,6 +271,8 @@ void addRender(CLI::App& program, int& exitCode)
     verb->add_option("--lobe", options->lobe,
                      "how a highlight's (R.V)^n is computed: conditioned (right, the default), power, squarings (whole "
                      "n), truncated, schlick or table");
+    verb->add_flag("--no-specialise", options->general,
+                   "run the general shader or kernel: terms that are 0 are computed too, for comparison");
     verb->add_option("--lens", options->lens,
                      "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
         ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));

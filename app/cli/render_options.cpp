@@ -28,6 +28,7 @@ Result<RenderPlan> planFrom(const RenderOptions& options)
     if (!lobe)
         return lobe.error();
     plan.lobe = *lobe;
+    plan.specialised = !options.general;
     if (options.precision.empty())
         return plan;
     if (options.precision == "glsl")
@@ -43,7 +44,7 @@ Result<RenderPlan> planFrom(const RenderOptions& options)
     return plan;
 }
 
-RenderOptions completed(RenderOptions options, const Recipe& recipe)
+RenderOptions completed(RenderOptions options, const PictureRecipe& recipe)
 {
     if (options.scene.size.empty())
         options.scene.size = std::to_string(recipe.width) + "x" + std::to_string(recipe.height);
@@ -68,10 +69,10 @@ RenderOptions completed(RenderOptions options, const Recipe& recipe)
     return options;
 }
 
-Recipe recipeFrom(const RenderOptions& options, const RenderSettings& settings, const std::string& backend,
-                  const std::string& precision)
+PictureRecipe recipeFrom(const RenderOptions& options, const RenderSettings& settings, const std::string& backend,
+                         const std::string& precision)
 {
-    Recipe recipe{settings.width, settings.height, settings.samplesPerAxis};
+    PictureRecipe recipe{settings.width, settings.height, settings.samplesPerAxis};
     recipe.backend = backend.starts_with("gl") ? "gl" : "cpu";
     recipe.precision = precision.substr(0, precision.find(' ')); // the lanes' name follows "simd"
     recipe.shading = options.shading.empty() ? "pixel" : options.shading;

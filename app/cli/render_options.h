@@ -17,9 +17,11 @@ struct RenderOptions {
     std::string context = "any";
     std::string shading;
     std::string lens;
+    std::string probe; ///< "X,Y" in pixels; empty: none
     std::string lobe;    ///< empty: conditioned, or as a saved picture has
     std::string variant; ///< "A", "B", "side", "wipe" or "difference"; empty: A, or as a saved picture has
     double divider = 0.5;
+    bool general = false; ///< nothing is specialised: terms that are 0 are computed too
     int frames = 1;
     std::string reference;
     double threshold = 0.0;
@@ -31,10 +33,10 @@ struct RenderOptions {
 [[nodiscard]] Result<RenderPlan> planFrom(const RenderOptions& options);
 
 /// What no flag says, as the picture was made.
-[[nodiscard]] RenderOptions completed(RenderOptions options, const Recipe& recipe);
+[[nodiscard]] RenderOptions completed(RenderOptions options, const PictureRecipe& recipe);
 
 /// How to make the picture again. `rendered` tells backend and precision.
-[[nodiscard]] Recipe recipeFrom(const RenderOptions& options, const RenderSettings& settings,
-                                const std::string& backend, const std::string& precision);
+[[nodiscard]] PictureRecipe recipeFrom(const RenderOptions& options, const RenderSettings& settings,
+                                       const std::string& backend, const std::string& precision);
 
 } // namespace reflectance::cli

@@ -161,6 +161,12 @@ Result<void> setSurface(const SceneOptions& options, Surface& surface)
             return model.error();
         surface.model = options.model;
     }
+    if (!options.modelFile.empty()) {
+        if (!options.model.empty())
+            return Error{"--model-file brings its model; leave --model out"};
+        if (const auto read = readModelOf(surface, options.modelFile); !read)
+            return read.error();
+    }
     for (const std::string& assignment : options.assignments)
         if (const auto set = setOnSurface(assignment, surface); !set)
             return Error{"--set " + assignment + ": " + set.error().sentence()};
@@ -211,6 +217,8 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options)
                     "a surface of the library, by id or name: its model and parameters; 'reflectance surfaces' lists "
                     "them; --model and --set come after it");
     verb.add_option("--model", options.model, "reflectance model; 'reflectance models' lists them");
+    verb.add_option("--model-file", options.modelFile,
+                    "a model of your own: a text under the rules of shaders/README.md");
     verb.add_option("--set", options.assignments,
                     "NAME=VALUE of a model parameter; matrices row by row, numbers parted by commas; file=PATH of a "
                     "measured table");
@@ -277,10 +285,10 @@ Result<Camera> parseCamera(const std::string& text, Camera camera, double aspect
     return camera;
 }
 
-Result<std::optional<Recipe>> recipeOf(const SceneOptions& options)
+Result<std::optional<PictureRecipe>> recipeOf(const SceneOptions& options)
 {
     if (!isPicture(options.input))
-        return std::optional<Recipe>();
+        return std::optional<PictureRecipe>();
     const auto kept = loadKept(options.input);
     if (!kept)
         return kept.error();

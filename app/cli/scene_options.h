@@ -20,6 +20,7 @@ struct SceneOptions {
     std::optional<int> samples; ///< per pixel; none: 4, or as a saved picture has
     std::string surface;        ///< of the library; empty: none
     std::string model;
+    std::string modelFile; ///< of an own model; empty: none
     std::vector<std::string> assignments;
     bool showHoles = false;
     std::vector<std::string> lights;
@@ -38,7 +39,7 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options);
 [[nodiscard]] Result<Scene> sceneFrom(const SceneOptions& options);
 
 /// How a picture that is the input was made; none where the input is something else.
-[[nodiscard]] Result<std::optional<Recipe>> recipeOf(const SceneOptions& options);
+[[nodiscard]] Result<std::optional<PictureRecipe>> recipeOf(const SceneOptions& options);
 
 /// Size and samples, checked. `fallback` is used where --size was not given.
 [[nodiscard]] Result<RenderSettings> settingsFrom(const SceneOptions& options, RenderSettings fallback = {});

@@ -25,6 +25,7 @@ void addExtremes(CLI::App& program, int& exitCode);
 void addCheck(CLI::App& program, int& exitCode);
 void addMatrix(CLI::App& program, int& exitCode);
 void addTable(CLI::App& program, int& exitCode);
+void addBench(CLI::App& program, int& exitCode);
 void addFit(CLI::App& program, int& exitCode);
 void addSweep(CLI::App& program, int& exitCode);
 /// `command`: as it was typed, for the report.

@@ -225,7 +225,10 @@ Reasons reasonsOf(const Session& session)
         .drawSoon = session.state.drawSoon,
         .untilRefined =
             refine ? std::chrono::duration<double>(untilRefined).count() : std::numeric_limits<double>::infinity(),
-        .untilPrices = std::min(secondsUntilPrices(session), secondsUntilDifference(session)),
+        .untilPrices =
+            std::min({secondsUntilPrices(session), secondsUntilDifference(session),
+                      session.ownModels.watches() ? std::chrono::duration<double>(OwnModelWatch::pause).count()
+                                                  : std::numeric_limits<double>::infinity()}),
         .untilAutosave = session.autosave.secondsUntilWrite(Clock::now()),
     };
 }
@@ -252,6 +255,8 @@ void openAtStart(Session& session, const ExplorerOptions& options)
 {
     if (!options.input.empty())
         session.toOpen.push_back(options.input);
+    if (!options.modelFile.empty())
+        session.toOpen.push_back(options.modelFile);
     if (options.environment)
         session.toOpen.push_back(*options.environment);
     pollFiles(session);

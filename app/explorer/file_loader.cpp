@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/geometry/load.h"
+#include "core/reflectance/own_model.h"
 #include "core/scene/scene_file.h"
 
 #include <atomic>
@@ -71,6 +72,8 @@ struct FileLoader::Job {
             return readJson();
         if (ending == ".png" || ending == ".exr" || ending == ".hdr")
             return readPicture(ending != ".png");
+        if (ending == ".glsl")
+            return asContent(readOwnModel(path));
         if (ending == ".csv" || ending == ".binary" || ending == ".bsdf" || ending == ".brdf" || ending == ".dat")
             return asContent(loadTable(path));
         return readMesh();

@@ -16,9 +16,9 @@
 namespace reflectance::explorer {
 
 /// What a file held, told by its ending: .json a scene (or else a measurement), .png a session, .exr and .hdr a session or
-/// else an environment, those of measurements a table, all else a mesh.
-using Content =
-    std::variant<std::shared_ptr<const Mesh>, Scene, Environment, std::shared_ptr<const MeasuredTable>, KeptPicture>;
+/// else an environment, .glsl an own model, those of measurements a table, all else a mesh.
+using Content = std::variant<std::shared_ptr<const Mesh>, Scene, Environment, std::shared_ptr<const MeasuredTable>,
+                             KeptPicture, std::shared_ptr<const Model>>;
 
 struct LoadedFile {
     std::string path;

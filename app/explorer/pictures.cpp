@@ -51,10 +51,10 @@ VariantView shownOf(const CompareView& compare)
     return compare.handOnB ? VariantView::B : VariantView::A;
 }
 
-Recipe recipeOf(const ExplorerState& state, const Viewport& viewport)
+PictureRecipe recipeOf(const ExplorerState& state, const Viewport& viewport)
 {
     const ViewSize size = viewport.view.size;
-    Recipe recipe{size.width, size.height, state.preferences.samplesPerAxis};
+    PictureRecipe recipe{size.width, size.height, state.preferences.samplesPerAxis};
     recipe.shown = shownOf(state.compare);
     if (recipe.shown == VariantView::SideBySide)
         recipe.width = wholeWidth(size.width);
@@ -69,7 +69,7 @@ Result<std::string> saveViewPicture(const ExplorerState& state, const Viewport& 
                                     SecondView& second, const std::string& path)
 {
     const Scene scene = shownScene(state);
-    const Recipe recipe = recipeOf(state, viewport);
+    const PictureRecipe recipe = recipeOf(state, viewport);
     const auto render = [&](const Scene& variant, int width, int height) -> Result<Image> {
         const RenderSettings settings{width, height, recipe.samplesPerAxis};
         const bool isB = recipe.shown != VariantView::A && !variant.other; // each has its own buffers

@@ -1,5 +1,6 @@
 #include "app/explorer/requests.h"
 
+#include "app/explorer/own_models.h"
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/ui/workbench/page.h"
@@ -198,7 +199,7 @@ void serve(Session& session, const Request& request)
 }
 
 /// The two variants as a picture showed them.
-void showAs(CompareView& compare, const Recipe& recipe)
+void showAs(CompareView& compare, const PictureRecipe& recipe)
 {
     compare.divider = static_cast<float>(recipe.divider);
     compare.on = compare.on && recipe.shown != VariantView::A;
@@ -248,6 +249,14 @@ struct TakeOver {
         surface.tableFile = path;
         surface.table = std::move(table);
     }
+    void operator()(std::shared_ptr<const Model> model) const
+    {
+        if (const auto complaint = compiled(session.renderer, *model); !complaint)
+            return complain(session, complaint.error());
+        useModel(surfaceInHand(session.state.compare, session.state.scene), std::move(model), path);
+        session.ownModels.watch(path);
+        tell(session, "The model is in use. Saving its file brings it here anew.");
+    }
     void operator()(Environment environment) const
     {
         session.state.scene.environment = std::move(environment);
@@ -282,6 +291,21 @@ void takeOver(Session& session, LoadedFile file)
         remember(session.state.preferences, fs::absolute(file.path, ignored).lexically_normal().string());
 }
 
+/// The watched file was saved: its new version, or what is wrong with it while the last good one stays.
+void renewOwnModel(Session& session)
+{
+    const std::optional<Result<std::shared_ptr<const Model>>> saved = session.ownModels.saved(Clock::now());
+    if (!saved)
+        return;
+    if (!*saved)
+        return complain(session, saved->error());
+    if (const auto complaint = compiled(session.renderer, ***saved); !complaint)
+        return complain(session, complaint.error());
+    if (!renewIn(session.state.scene, **saved, session.ownModels.path()))
+        return session.ownModels.forget();
+    tell(session, "The model was read anew: " + session.ownModels.path());
+}
+
 } // namespace
 
 void serveRequests(Session& session)
@@ -299,6 +323,7 @@ void pollFiles(Session& session)
         session.toOpen.pop_front();
     }
     session.state.loading = session.loader.progress();
+    renewOwnModel(session);
 }
 
 } // namespace reflectance::explorer

@@ -4,6 +4,7 @@
 #include "app/explorer/autosave.h"
 #include "app/explorer/file_loader.h"
 #include "app/explorer/measured_prices.h"
+#include "app/explorer/own_models.h"
 #include "app/explorer/second_view.h"
 #include "app/explorer/state.h"
 #include "app/explorer/tape.h"
@@ -42,6 +43,7 @@ struct Session {
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
     Autosave autosave{stateFolder()};
+    OwnModelWatch ownModels;
 
     Worker<Waterfall> waterfall{Window::wake};
     std::shared_ptr<const Rested> waterfallAsked; ///< the picture that it was last asked of

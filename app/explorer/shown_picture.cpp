@@ -26,7 +26,7 @@ Result<ShownPicture> mapOf(const Image& a, const Image& b, const Sensor& sensor)
     return picture;
 }
 
-Image together(const Image& a, const Image& b, const Recipe& recipe)
+Image together(const Image& a, const Image& b, const PictureRecipe& recipe)
 {
     if (recipe.shown == VariantView::Wipe)
         return wiped(a, b, recipe.divider);
@@ -51,7 +51,7 @@ int wholeWidth(int pane)
     return 2 * pane + narrowestGap;
 }
 
-Result<ShownPicture> shownPicture(const Scene& scene, const Recipe& recipe, const RenderVariant& render)
+Result<ShownPicture> shownPicture(const Scene& scene, const PictureRecipe& recipe, const RenderVariant& render)
 {
     if (recipe.shown != VariantView::A && !scene.other)
         return Error{"the scene has one surface only; give it another one, 'compare', to see B"};
@@ -70,7 +70,7 @@ Result<ShownPicture> shownPicture(const Scene& scene, const Recipe& recipe, cons
                                                    : developed(together(*one, *b, recipe), scene.sensor);
 }
 
-Notes notesFor(const std::string& path, const Scene& scene, const Recipe& recipe)
+Notes notesFor(const std::string& path, const Scene& scene, const PictureRecipe& recipe)
 {
     return keptNotes(scene, recipe, std::filesystem::path(path).parent_path().string());
 }
@@ -85,7 +85,8 @@ static Result<void> writeCodes(const std::string& path, const ShownPicture& pict
                               : writePng(path, codes.width, codes.height, codes.deep, color, notes);
 }
 
-Result<void> saveShown(const std::string& path, const ShownPicture& picture, const Scene& scene, const Recipe& recipe)
+Result<void> saveShown(const std::string& path, const ShownPicture& picture, const Scene& scene,
+                       const PictureRecipe& recipe)
 {
     const auto format = outputFormat(path);
     if (!format)

@@ -27,13 +27,14 @@ struct ShownPicture {
 using RenderVariant = std::function<Result<Image>(const Scene& scene, int width, int height)>;
 
 /// Renders what the recipe asks for. A scene without B can show A only.
-[[nodiscard]] Result<ShownPicture> shownPicture(const Scene& scene, const Recipe& recipe, const RenderVariant& render);
+[[nodiscard]] Result<ShownPicture> shownPicture(const Scene& scene, const PictureRecipe& recipe,
+                                                const RenderVariant& render);
 
 /// Writes it by the name's ending, with all that makes it again. A map of the difference can only be a PNG.
 [[nodiscard]] Result<void> saveShown(const std::string& path, const ShownPicture& picture, const Scene& scene,
-                                     const Recipe& recipe);
+                                     const PictureRecipe& recipe);
 
 /// The notes of a picture that goes to this file.
-[[nodiscard]] Notes notesFor(const std::string& path, const Scene& scene, const Recipe& recipe);
+[[nodiscard]] Notes notesFor(const std::string& path, const Scene& scene, const PictureRecipe& recipe);
 
 } // namespace reflectance::explorer

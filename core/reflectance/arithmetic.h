@@ -10,10 +10,14 @@ namespace reflectance {
 struct Arithmetic {
     Precision precision = Precision::Double;
     LobeForm lobe = LobeForm::Conditioned;
+    bool specialised = true; ///< terms that are 0 are left out; what is left is equal by ==
 
     constexpr Arithmetic() = default;
     constexpr Arithmetic(Precision p) : precision(p) {} // NOLINT(google-explicit-constructor)
-    constexpr Arithmetic(Precision p, LobeForm form) : precision(p), lobe(form) {}
+    constexpr Arithmetic(Precision p, LobeForm form, bool special = true)
+        : precision(p), lobe(form), specialised(special)
+    {
+    }
 
     friend bool operator==(const Arithmetic&, const Arithmetic&) = default;
 };

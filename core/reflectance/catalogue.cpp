@@ -1,5 +1,6 @@
 #include "core/reflectance/catalogue.h"
 
+#include "core/base/check.h"
 #include "core/base/embedded.h"
 #include "core/base/text.h"
 #include "core/reflectance/kernel_tables.h"
@@ -21,6 +22,15 @@ std::vector<Kernels> kernelsOfOtherLobes(std::size_t at)
     return all;
 }
 
+void addSpecials(Model& model)
+{
+    const auto rows = specialRows();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].model == model.id())
+            model.specials.emplace_back(
+                rows[i].form, Kernels{specialDoubleKernels()[i], specialFloatKernels()[i], specialLanesKernels()[i]});
+}
+
 std::vector<Model> readCatalogue()
 {
     std::size_t withLobe = 0;
@@ -36,9 +46,10 @@ std::vector<Model> readCatalogue()
         }
         const std::size_t i = models.size();
         texts.push_back(*text);
-        models.push_back({{doubleKernels()[i], floatKernels()[i], lanesKernels()[i]}, *std::move(text), {}});
+        models.push_back({{doubleKernels()[i], floatKernels()[i], lanesKernels()[i]}, *std::move(text), {}, {}, {}});
         if (models.back().text.usesLobe)
             models.back().otherLobes = kernelsOfOtherLobes(withLobe++);
+        addSpecials(models.back());
     }
     return models;
 }
@@ -105,6 +116,15 @@ std::vector<double> spread(const Parameter& parameter, std::span<const double> n
 const Kernels& Model::with(LobeForm form) const
 {
     return form == LobeForm::Conditioned || otherLobes.empty() ? *this : otherLobes[static_cast<std::size_t>(form) - 1];
+}
+
+const Kernels& Model::with(const SpecialForm& form) const
+{
+    for (const auto& [special, kernels] : specials)
+        if (special == form)
+            return kernels;
+    CHECK_EQ(form.facing, false); // the text itself would show what must be black
+    return *this;
 }
 
 const std::vector<Model>& catalogue()

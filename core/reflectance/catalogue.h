@@ -4,10 +4,13 @@
 #include "core/reflectance/kernel.h"
 #include "core/reflectance/lobe_form.h"
 #include "core/reflectance/model_text.h"
+#include "core/reflectance/special_form.h"
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reflectance {
@@ -21,9 +24,14 @@ struct Kernels {
 struct Model : Kernels {
     ModelText text;
     std::vector<Kernels> otherLobes; ///< with the other forms of the lobe, in their order; empty where it calls none
+    std::shared_ptr<const void> walked = {}; ///< of an own model: keeps alive what its kernels walk; null: compiled
+
+    std::vector<std::pair<SpecialForm, Kernels>> specials; ///< the forms that have kernels of their own
 
     /// The model's own kernels where it has no lobe.
     [[nodiscard]] const Kernels& with(LobeForm form) const;
+    /// The form's kernels with the conditioned lobe, or the model's own; the form must be one that the values allow.
+    [[nodiscard]] const Kernels& with(const SpecialForm& form) const;
 
     [[nodiscard]] const std::string& id() const { return text.id; }
 };

@@ -70,10 +70,37 @@ template <class T> struct EnvironmentBatch {
     Vec3Array<T> sum;
 };
 
+/// What a kernel runs: compiled code, or a text that is walked as it stands.
+template <class Batch> class KernelCode {
+public:
+    using Compiled = void (*)(const double* values, const Batch& batch);
+    using Walked = void (*)(const void* text, const double* values, const Batch& batch);
+
+    constexpr KernelCode() = default;
+    constexpr KernelCode(std::nullptr_t) {}
+    constexpr KernelCode(Compiled compiled) : compiled_(compiled) {}
+    constexpr KernelCode(Walked walked, const void* text) : walked_(walked), text_(text) {}
+
+    void operator()(const double* values, const Batch& batch) const
+    {
+        if (compiled_)
+            compiled_(values, batch);
+        else
+            walked_(text_, values, batch);
+    }
+    constexpr explicit operator bool() const { return compiled_ || walked_; }
+    friend constexpr bool operator==(const KernelCode& code, std::nullptr_t) { return !code; }
+
+private:
+    Compiled compiled_ = nullptr;
+    Walked walked_ = nullptr;
+    const void* text_ = nullptr; ///< lives as long as the model
+};
+
 /// `values` is the model's flat list of parameter values, always double; the kernel rounds them once to its type.
 template <class T> struct Kernel {
-    void (*shade)(const double* values, const ShadeBatch<T>& batch) = nullptr;
-    void (*environment)(const double* values, const EnvironmentBatch<T>& batch) = nullptr; ///< null: ignores it
+    KernelCode<ShadeBatch<T>> shade;
+    KernelCode<EnvironmentBatch<T>> environment; ///< none: ignores it
 };
 
 } // namespace reflectance

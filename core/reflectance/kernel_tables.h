@@ -3,6 +3,10 @@
 
 #include "core/reflectance/kernel.h"
 #include "core/reflectance/lobe_form.h"
+#include "core/reflectance/special_form.h"
+
+#include <span>
+#include <string_view>
 
 namespace reflectance {
 
@@ -17,6 +21,20 @@ namespace reflectance {
 [[nodiscard]] const Kernel<float>* lanesKernelsSse2(LobeForm form);
 [[nodiscard]] const Kernel<float>* lanesKernelsAvx2(LobeForm form); ///< as above
 [[nodiscard]] const Kernel<float>* lanesKernels(LobeForm form);
+
+/// A special form that has kernels of its own.
+struct SpecialRow {
+    std::string_view model;
+    SpecialForm form;
+};
+
+/// Their kernels, in the order of specialRows.
+[[nodiscard]] std::span<const SpecialRow> specialRows();
+[[nodiscard]] const Kernel<double>* specialDoubleKernels();
+[[nodiscard]] const Kernel<float>* specialFloatKernels();
+[[nodiscard]] const Kernel<float>* specialLanesKernelsSse2();
+[[nodiscard]] const Kernel<float>* specialLanesKernelsAvx2(); ///< as above
+[[nodiscard]] const Kernel<float>* specialLanesKernels();
 
 /// The widest lanes that this processor runs, chosen once.
 [[nodiscard]] const Kernel<float>* lanesKernels();

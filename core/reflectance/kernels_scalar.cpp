@@ -26,7 +26,35 @@ constexpr Kernel<T> kernelsWith[] = {REFLECTANCE_FOR_EACH_MODEL_WITH_LOBE(KERNEL
 template <class T> constexpr const Kernel<T>* otherForms[] = {REFLECTANCE_FOR_EACH_OTHER_LOBE(FORM)};
 #undef FORM
 
+#define SPECIAL(model, K, ks, facing)                                                                                  \
+    scalarKernel<FacingIf<models::model<T, ConditionedLobe, MatrixOf<T, K>, ColorOf<T, ks>>, T, facing>, T>(),
+template <class T> constexpr Kernel<T> specials[] = {REFLECTANCE_FOR_EACH_SPECIAL(SPECIAL)};
+#undef SPECIAL
+
 } // namespace
+
+std::span<const SpecialRow> specialRows()
+{
+#define SPECIAL(model, K, ks, facing) {#model, {K, ks, facing}},
+    static constexpr SpecialRow rows[] = {REFLECTANCE_FOR_EACH_SPECIAL(SPECIAL)};
+#undef SPECIAL
+    return rows;
+}
+
+const Kernel<double>* specialDoubleKernels()
+{
+    return specials<double>;
+}
+
+const Kernel<float>* specialFloatKernels()
+{
+    return specials<float>;
+}
+
+const Kernel<float>* specialLanesKernels()
+{
+    return hasAvx2() ? specialLanesKernelsAvx2() : specialLanesKernelsSse2();
+}
 
 const Kernel<double>* doubleKernels()
 {

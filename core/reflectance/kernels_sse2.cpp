@@ -23,7 +23,19 @@ constexpr Kernel<float> kernelsWith[] = {REFLECTANCE_FOR_EACH_MODEL_WITH_LOBE(KE
 constexpr const Kernel<float>* otherForms[] = {REFLECTANCE_FOR_EACH_OTHER_LOBE(FORM)};
 #undef FORM
 
+#define SPECIAL(model, K, ks, facing)                                                                                  \
+    lanesKernel<                                                                                                       \
+        FacingIf<models::model<Lanes, ConditionedLobe, MatrixOf<Lanes, K>, ColorOf<Lanes, ks>>, Lanes, facing>,        \
+        Lanes>(),
+constexpr Kernel<float> specials[] = {REFLECTANCE_FOR_EACH_SPECIAL(SPECIAL)};
+#undef SPECIAL
+
 } // namespace
+
+const Kernel<float>* specialLanesKernelsSse2()
+{
+    return specials;
+}
 
 const Kernel<float>* lanesKernelsSse2()
 {

@@ -40,27 +40,31 @@ DeclaredProperty parseProperty(std::string_view value)
 
 class ModelTextParser {
 public:
-    ModelTextParser(std::string_view id, const std::vector<ModelText>& earlier) : earlier_(earlier) { model_.id = id; }
+    ModelTextParser(std::string_view id, const std::vector<ModelText>& earlier, std::string_view file)
+        : earlier_(earlier)
+    {
+        model_.id = id;
+        model_.file = file.empty() ? "shaders/reflectance/" + model_.id + ".glsl" : std::string(file);
+    }
 
     Result<ModelText> parse(std::string_view text)
     {
         for (const std::string_view line : split(text, '\n')) {
             ++line_;
             if (!readLine(line))
-                return Error{problem_, "shaders/reflectance/" + model_.id + ".glsl", line_};
+                return Error{problem_, model_.file, line_};
         }
         if (openUniform_)
-            return Error{"uniform declaration without ';'", "shaders/reflectance/" + model_.id + ".glsl", line_};
+            return Error{"uniform declaration without ';'", model_.file, line_};
         model_.usesEnvironment = model_.code.find("vec3 shadeEnvironment(") != std::string::npos;
         model_.usesLobe = model_.code.find("lobe(") != std::string::npos;
         model_.usesTable = model_.code.find("tableAt(") != std::string::npos;
         model_.usesLightSize = model_.code.find("insideLight(") != std::string::npos;
         if (model_.code.find("vec3 shade(") == std::string::npos)
-            return Error{"the text defines no vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I)",
-                         "shaders/reflectance/" + model_.id + ".glsl", line_};
+            return Error{"the text defines no vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I)", model_.file, line_};
         for (const Parameter& parameter : model_.parameters)
             if (!isComplete(parameter))
-                return Error{problem_, "shaders/reflectance/" + model_.id + ".glsl", line_};
+                return Error{problem_, model_.file, line_};
         return std::move(model_);
     }
 
@@ -110,15 +114,21 @@ private:
         return true;
     }
 
-    /// "lambert_color where ks=0"
+    /// "lambert_color where ks=0", then "exactly" or "exactly facing"
     bool readLimit(std::string_view value)
     {
         const auto pieces = words(value);
-        if (pieces.size() != 3 || pieces[1] != "where" || pieces[2].find('=') == std::string_view::npos)
-            return failed("expected: becomes MODEL where NAME=VALUE;NAME=VALUE without blanks between");
+        const bool exactly = pieces.size() > 3 && pieces[3] == "exactly";
+        const bool facing = pieces.size() > 4 && exactly && pieces[4] == "facing";
+        if (pieces.size() != (facing    ? 5U
+                              : exactly ? 4U
+                                        : 3U) ||
+            pieces[1] != "where" || pieces[2].find('=') == std::string_view::npos)
+            return failed("expected: becomes MODEL where NAME=VALUE;NAME=VALUE without blanks between, then nothing, "
+                          "'exactly' or 'exactly facing'");
         if (!findEarlier(pieces[0]))
             return failed("becomes names no earlier model: " + std::string(pieces[0]));
-        model_.becomes.push_back({std::string(pieces[0]), std::string(pieces[2])});
+        model_.becomes.push_back({std::string(pieces[0]), std::string(pieces[2]), exactly, facing});
         return true;
     }
 
@@ -361,9 +371,10 @@ std::size_t ModelText::valueCount() const
     return parameters.empty() ? 0 : parameters.back().offset + parameters.back().size;
 }
 
-Result<ModelText> parseModelText(std::string_view id, std::string_view text, const std::vector<ModelText>& earlier)
+Result<ModelText> parseModelText(std::string_view id, std::string_view text, const std::vector<ModelText>& earlier,
+                                 std::string_view file)
 {
-    return ModelTextParser(id, earlier).parse(text);
+    return ModelTextParser(id, earlier, file).parse(text);
 }
 
 } // namespace reflectance

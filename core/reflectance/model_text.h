@@ -21,11 +21,14 @@ struct DeclaredProperty {
 struct DeclaredLimit {
     std::string model; ///< id of an earlier model
     std::string where; ///< "ks=0" or "K=kd", assignments separated by ";"; a name on the right is the other's parameter
+    bool exactly = false; ///< equal by == in double, so that the other may stand for it; else to a few last places
+    bool facing = false;  ///< but for viewers behind the surface, where this one is black
 };
 
 /// Everything that stands in shaders/reflectance/<id>.glsl.
 struct ModelText {
     std::string id;       ///< file name without ending
+    std::string file;     ///< for messages: "shaders/reflectance/lambert.glsl"
     std::string name;     ///< for menus
     std::string family;   ///< the heading under which menus show it
     std::string formula;  ///< in the lecture's letters
@@ -47,7 +50,8 @@ struct ModelText {
 };
 
 /// Parses one text. `earlier` resolves "//: like ID", which takes a parameter's description over from another model.
+/// `file` is named in messages; empty: where built-in texts stand.
 [[nodiscard]] Result<ModelText> parseModelText(std::string_view id, std::string_view text,
-                                               const std::vector<ModelText>& earlier);
+                                               const std::vector<ModelText>& earlier, std::string_view file = {});
 
 } // namespace reflectance

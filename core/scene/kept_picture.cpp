@@ -36,7 +36,7 @@ std::string wholePath(const std::string& folder)
     return failed ? folder : (here / folder).lexically_normal().string();
 }
 
-Json written(const Recipe& recipe)
+Json written(const PictureRecipe& recipe)
 {
     return {{"width", recipe.width},
             {"height", recipe.height},
@@ -63,7 +63,7 @@ void readWord(ObjectReader& object, const char* key, const NamedValue<int> (&nam
     word = names[static_cast<std::size_t>(value)].name;
 }
 
-void readRecipe(ObjectReader object, Recipe& recipe)
+void readRecipe(ObjectReader object, PictureRecipe& recipe)
 {
     object.read("width", recipe.width, 1, mostPixels);
     object.read("height", recipe.height, 1, mostPixels);
@@ -94,7 +94,7 @@ std::string_view nameOf(VariantView shown)
     return shownNames[static_cast<std::size_t>(shown)].name;
 }
 
-Notes keptNotes(const Scene& scene, const Recipe& recipe, const std::string& folder)
+Notes keptNotes(const Scene& scene, const PictureRecipe& recipe, const std::string& folder)
 {
     const Json json{{"schema", pictureSchema},     {"version", pictureVersion},
                     {"program", programVersion()}, {"folder", wholePath(folder)},

@@ -18,7 +18,7 @@ enum class VariantView { A, B, SideBySide, Wipe, Difference };
 [[nodiscard]] std::string_view nameOf(VariantView shown);
 
 /// How a picture was made of its scene.
-struct Recipe {
+struct PictureRecipe {
     int width = 512, height = 512; ///< pixels of the whole picture
     int samplesPerAxis = 2;
     std::string backend = "gl";       ///< "gl" or "cpu"
@@ -30,18 +30,18 @@ struct Recipe {
     double divider = 0.5; ///< Wipe: A's share of the width
     bool holes = false;   ///< stripes where a measured table has no value
 
-    friend bool operator==(const Recipe&, const Recipe&) = default;
+    friend bool operator==(const PictureRecipe&, const PictureRecipe&) = default;
 };
 
 struct KeptPicture {
     Scene scene;
-    Recipe recipe;
+    PictureRecipe recipe;
     std::string program; ///< version that wrote it
 };
 
 /// The notes of a picture that is written into `folder`: the session, and the program's name for other programs. Files are
 /// named from the root; where they are gone, they are looked for as they lay beside the picture.
-[[nodiscard]] Notes keptNotes(const Scene& scene, const Recipe& recipe, const std::string& folder);
+[[nodiscard]] Notes keptNotes(const Scene& scene, const PictureRecipe& recipe, const std::string& folder);
 
 /// Reads what keptNotes wrote. `file` serves messages, `folder` is where the picture lies now.
 [[nodiscard]] Result<KeptPicture> parseKept(std::string_view text, const std::string& file, const std::string& folder);

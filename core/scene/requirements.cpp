@@ -25,7 +25,7 @@ bool anyLight(const Scene& scene, LightKind kind)
 
 std::string Requirements::key() const
 {
-    std::string text = model;
+    std::string text = (own ? own->text.file + own->text.code : model) + form.key();
     const auto append = [&text](bool required, std::string_view name) {
         if (required)
             text.append("+").append(name);
@@ -41,18 +41,39 @@ std::string Requirements::key() const
     return text;
 }
 
-Requirements requirementsOf(const Scene& scene, LobeForm lobe)
+const Model& Requirements::modelUsed() const
 {
+    return own ? *own : **findModel(model);
+}
+
+RequiredModel requiredSurface(const Scene& scene, const Arithmetic& arithmetic)
+{
+    const std::vector<double> values = valuesOf(scene);
     const Model& model = modelOf(scene);
+    const bool isOwn = scene.surface.own.get() == &model; // nothing is known of its limits
+    RequiredModel required =
+        arithmetic.specialised && !isOwn ? requiredModel(model, values) : generalModel(model, values);
+    if (arithmetic.lobe != LobeForm::Conditioned && required.model->text.usesLobe)
+        required.form = {}; // the other forms of the lobe have the general kernels alone
+    return required;
+}
+
+Requirements requirementsOf(const Scene& scene, const Arithmetic& arithmetic)
+{
+    const RequiredModel required = requiredSurface(scene, arithmetic);
+    const Model& model = *required.model;
     Requirements r;
     r.model = model.id();
+    r.form = required.form;
+    if (scene.surface.own.get() == &model)
+        r.own = scene.surface.own;
     r.directionalLights = anyLight(scene, LightKind::Directional);
     r.pointLights = anyLight(scene, LightKind::Point);
     r.environment = model.text.usesEnvironment && !isBlack(scene.environment);
     r.environmentBackground = scene.background.kind == BackgroundKind::Environment && !isBlack(scene.environment);
     r.environmentMap = (r.environment || r.environmentBackground) && scene.environment.kind == EnvironmentKind::Map;
     r.table = model.text.usesTable && scene.surface.table != nullptr;
-    r.lobe = model.text.usesLobe ? lobe : LobeForm::Conditioned;
+    r.lobe = model.text.usesLobe ? arithmetic.lobe : LobeForm::Conditioned;
     r.holes = r.table && scene.surface.showHoles;
     return r;
 }
@@ -60,7 +81,7 @@ Requirements requirementsOf(const Scene& scene, LobeForm lobe)
 std::vector<std::string> leftOut(const Scene& scene)
 {
     const Model& model = modelOf(scene);
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = requiredSurface(scene).leftOut;
     if (!model.text.usesEnvironment && !isBlack(scene.environment))
         notes.push_back("environment: " + model.text.name + " is lit by the lights alone");
     if (model.text.usesTable && !scene.surface.table)

@@ -1,7 +1,8 @@
 // What a scene requires of a renderer, and what it does not: model only what the scene requires.
 #pragma once
 
-#include "core/reflectance/lobe_form.h"
+#include "core/reflectance/arithmetic.h"
+#include "core/reflectance/required_model.h"
 #include "core/scene/scene.h"
 
 #include <string>
@@ -11,7 +12,9 @@ namespace reflectance {
 
 /// Two scenes with equal requirements run the same shader.
 struct Requirements {
-    std::string model;
+    std::string model;                ///< the one that is run: see requiredSurface
+    std::shared_ptr<const Model> own; ///< the model, where it is none of the catalogue
+    SpecialForm form;
     bool directionalLights = false;
     bool pointLights = false;
     bool environment = false;    ///< the model looks at it and it is not black
@@ -23,11 +26,15 @@ struct Requirements {
 
     friend bool operator==(const Requirements&, const Requirements&) = default;
 
-    /// Unique text for caches: "hybrid+directional".
+    /// Unique text for caches: "hybrid+directional"; an own model stands there with its whole text.
     [[nodiscard]] std::string key() const;
+    [[nodiscard]] const Model& modelUsed() const;
 };
 
-[[nodiscard]] Requirements requirementsOf(const Scene& scene, LobeForm lobe = LobeForm::Conditioned);
+/// The scene's model without its terms that are 0; as it is where the arithmetic is not specialised.
+[[nodiscard]] RequiredModel requiredSurface(const Scene& scene, const Arithmetic& arithmetic = {});
+
+[[nodiscard]] Requirements requirementsOf(const Scene& scene, const Arithmetic& arithmetic = {});
 
 /// Sentences on what the picture leaves out and why: "environment: hybrid ignores it", "light 'key' has no extent, so
 /// a mirror shows nothing of it".

@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/geometry/load.h"
 #include "core/reflectance/lists.h"
+#include "core/reflectance/own_model.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -55,9 +56,28 @@ Mat3d matrixOf(std::span<const double> rowByRow)
 }
 
 } // namespace
+
+Result<const Model*> findModelOf(const Surface& surface)
+{
+    if (surface.own && surface.own->id() == surface.model)
+        return surface.own.get();
+    return findModel(surface.model);
+}
+
+Result<void> readModelOf(Surface& surface, const std::string& path)
+{
+    auto model = readOwnModel(path);
+    if (!model)
+        return model.error();
+    surface.own = *std::move(model);
+    surface.model = surface.own->id();
+    surface.modelFile = path;
+    return {};
+}
+
 const Model& modelOf(const Surface& surface)
 {
-    const auto model = findModel(surface.model);
+    const auto model = findModelOf(surface);
     return model ? **model : catalogue().front();
 }
 
@@ -103,7 +123,7 @@ Result<void> readTableOf(Surface& surface, const std::string& path)
 
 Result<void> setOnSurface(std::string_view assignment, Surface& surface)
 {
-    const auto model = findModel(surface.model);
+    const auto model = findModelOf(surface);
     if (!model)
         return model.error();
     const std::size_t equals = std::min(assignment.find('='), assignment.size());
@@ -114,7 +134,7 @@ Result<void> setOnSurface(std::string_view assignment, Surface& surface)
 
 Result<void> checkSurface(const Surface& surface)
 {
-    const auto model = findModel(surface.model);
+    const auto model = findModelOf(surface);
     if (!model)
         return model.error();
     if ((*model)->text.usesTable && !surface.table)

@@ -25,9 +25,11 @@ struct Surface {
     Convention convention = Convention::Sensor; ///< of K, and of the lights' intensities
     /// Primary convention: what sensor i (row) sees of primary j on a perfect white, row by row; not singular.
     std::array<double, 9> W{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
-    std::string tableFile = {}; ///< where the table came from; empty without one
+    std::string tableFile = {};                      ///< where the table came from; empty without one
     std::shared_ptr<const MeasuredTable> table = {}; ///< what the model `table` looks up
-    bool showHoles = false; ///< stripes where the table was not measured, instead of black
+    bool showHoles = false;                          ///< stripes where the table was not measured, instead of black
+    std::string modelFile = {};                      ///< where `own` came from; empty without one
+    std::shared_ptr<const Model> own = {};           ///< the user's own model, in use while `model` is its id
 
     friend bool operator==(const Surface&, const Surface&) = default;
 };
@@ -58,7 +60,13 @@ struct Scene {
 /// The clay mug under two lights, as the explorer opens it. The mesh is embedded in the program.
 [[nodiscard]] Scene defaultScene();
 
-/// The surface's model; an id that nothing has is taken for the first.
+/// The surface's model, its own or one of the catalogue; the error names the nearest id.
+[[nodiscard]] Result<const Model*> findModelOf(const Surface& surface);
+
+/// Reads an own model and puts it to use. On an error the surface keeps what it has.
+[[nodiscard]] Result<void> readModelOf(Surface& surface, const std::string& path);
+
+/// The surface's model; an id that nothing has is taken for the first. An own model lives as long as the surface.
 [[nodiscard]] const Model& modelOf(const Surface& surface);
 
 /// The scene with B in A's place; as it is where there is no B.

@@ -20,9 +20,9 @@ bool isUtf8(const std::string& text)
 std::vector<std::string> filesOf(const Scene& scene)
 {
     std::vector<std::string> files{scene.meshFile, scene.environment.file, scene.surface.tableFile,
-                                   scene.sensor.response.file};
+                                   scene.surface.modelFile, scene.sensor.response.file};
     if (scene.other)
-        files.push_back(scene.other->tableFile);
+        files.insert(files.end(), {scene.other->tableFile, scene.other->modelFile});
     return files;
 }
 

@@ -107,6 +107,8 @@ Json written(const Surface& surface, const ScenePaths& paths)
         json["W"] = surface.W;
     if (!surface.tableFile.empty())
         json["file"] = writtenPath(paths, surface.tableFile);
+    if (surface.own && !surface.modelFile.empty())
+        json["model_file"] = writtenPath(paths, surface.modelFile);
     return json;
 }
 
@@ -177,14 +179,22 @@ void readSurface(ObjectReader object, Surface& surface, const ScenePaths& paths)
             return object.fail(found.error().message);
         applySurface(**found, surface);
     }
+    std::string modelFile;
+    object.read("model_file", modelFile);
+    if (!modelFile.empty())
+        if (const auto read = readModelOf(surface, resolvedPath(paths, modelFile)); !read)
+            return object.fail(read.error().sentence());
     object.read("model", surface.model);
-    const auto model = findModel(surface.model);
+    const auto model = findModelOf(surface);
     if (!model)
         return object.fail(model.error().message);
+    std::vector<const Model*> known{*model};
+    for (const Model& other : catalogue())
+        known.push_back(&other);
     object.eachNumberList("parameters", [&](const std::string& name, const std::vector<double>& numbers) {
         // A parameter that only other models know is kept for them.
-        for (const Model& other : catalogue()) {
-            const Parameter* parameter = other.text.find(name);
+        for (const Model* other : known) {
+            const Parameter* parameter = other->text.find(name);
             if (!parameter)
                 continue;
             auto checked = checkedValue(*parameter, numbers);
@@ -195,8 +205,8 @@ void readSurface(ObjectReader object, Surface& surface, const ScenePaths& paths)
         }
         object.fail("no model has a parameter '" + name + "'");
     });
-    for (const Model& other : catalogue())
-        if (const auto agree = checkLists(other.text, surface.values); !agree)
+    for (const Model* other : known)
+        if (const auto agree = checkLists(other->text, surface.values); !agree)
             object.fail(agree.error().message);
     readConvention(object, surface);
     std::string file;

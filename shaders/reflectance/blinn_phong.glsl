@@ -5,7 +5,7 @@
 //! about     A highlight from the half vector H between light and viewer: how far H is from N says how far the surface is from mirroring. 4 n here is as wide as n in Phong, but only in the plane of incidence, to 0.14 / n of the peak. Across it the Blinn highlight is narrower, and the more so towards grazing light: at Phong's n = 50 the two differ by 0.003 of the peak at normal incidence, 0.10 at 30, 0.47 at 60 and 0.87 at 80 degrees. It is another highlight, elongated as real ones are. K adds a matte body; 0 leaves the highlight alone.
 //! reciprocal no: the highlight lacks the cosine of the light
 //! passive   no: the highlight lacks the cosine, so near grazing light it returns more than arrives
-//! becomes   lambert_color where ks=0
+//! becomes   lambert_color where ks=0 exactly
 
 uniform vec3 ks = vec3(0.5);
 //: like     phong

@@ -5,7 +5,7 @@
 //! about     Blinn-Phong as published fits to measured surfaces use it: the BRDF K / pi + ks (n + 2) / (2 pi) (N.H)^n, with the light's cosine. (n + 2) / 2 is what normalises Phong's lobe about R; about H it is up to four times too high, so ks is a coefficient, not a share of the light, and fitted values are small.
 //! reciprocal yes
 //! passive   no: the height is up to four times what keeps the light, and K is added
-//! becomes   lambert_color where ks=0
+//! becomes   lambert_color where ks=0 exactly
 
 uniform vec3 ks = vec3(0.1);
 //: label    Specular coefficient

@@ -5,7 +5,7 @@
 //! about     A surface of tiny mirrors whose slopes spread by m (Beckmann), which shade and hide one another in V-shaped grooves (G) and reflect more at glancing angles (F). The BRDF is K / pi + ks F D G / (4 (N.L)(N.V)), what flat facets give. The paper prints pi where 4 stands and its D without pi, four times as much; the fits of Ngan et al. 2005 divide a D with pi by pi once more, so their ks is pi / 4 of the one here.
 //! reciprocal yes
 //! passive   no: K is added to what the facets return
-//! becomes   lambert_color where ks=0
+//! becomes   lambert_color where ks=0 exactly facing
 
 uniform float m = 0.25;
 //: label    Slope of the facets

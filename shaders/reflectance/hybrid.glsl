@@ -5,8 +5,8 @@
 //! about     Lambert in colour plus a Phong highlight: a matte body that takes its colour from K, and a gloss that keeps the colour of the light.
 //! reciprocal no: its Phong term is not
 //! passive   no: its Phong term is not
-//! becomes   lambert_color where ks=0
-//! becomes   phong where K=0
+//! becomes   lambert_color where ks=0 exactly
+//! becomes   phong where K=0 exactly
 
 uniform mat3 K = transpose(mat3(0.62, 0.05, 0.02,
                                 0.06, 0.34, 0.03,

@@ -5,7 +5,7 @@
 //! about     Lambert for three sensors and three light primaries: K[i][j] says how much of light primary j reaches sensor i. A diagonal K is the usual cheat.
 //! reciprocal yes
 //! passive   yes, where K has no negative entry and no row sum above 1
-//! becomes   lambert where K=kd
+//! becomes   lambert where K=kd exactly
 
 uniform mat3 K = transpose(mat3(0.62, 0.05, 0.02,
                                 0.06, 0.34, 0.03,

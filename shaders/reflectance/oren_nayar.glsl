@@ -5,7 +5,7 @@
 //! about     A matte surface with a rough profile, like clay, plaster or sand: countless small grooves, each of them Lambertian, that shadow and hide one another. Seen from near the light it stays bright to its very edge, so a round body looks flat. With sigma = 0 it is Lambert. Light between grooves is left out.
 //! reciprocal yes
 //! passive   no: smooth surfaces (sigma below 0.35) return up to 1.5 % more than arrives from near grazing light
-//! becomes   lambert where rho=kd;sigma=0
+//! becomes   lambert where rho=kd;sigma=0 exactly facing
 
 uniform vec3 rho = vec3(0.69, 0.43, 0.29);
 //: label    Albedo

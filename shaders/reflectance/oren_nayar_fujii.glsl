@@ -5,7 +5,7 @@
 //! about     Oren-Nayar's shape without its ring, the dark seam where light and viewer stand square to each other: behind the light it goes on falling instead of standing still. One roughness r from 0 (Lambert) to 1 takes the place of sigma. Light between grooves is lost, so a rough surface is too dark.
 //! reciprocal yes
 //! passive   yes, for rho <= 1
-//! becomes   lambert where rho=kd;r=0
+//! becomes   lambert where rho=kd;r=0 exactly facing
 
 uniform vec3 rho = vec3(0.69, 0.43, 0.29);
 //: like     oren_nayar

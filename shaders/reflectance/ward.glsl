@@ -5,7 +5,7 @@
 //! about     A highlight made to be fitted to measurements: a Gaussian of the half vector's slope, with as few parameters as do. This is the isotropic form of 1992, the BRDF K / pi + ks exp(-tan(h)^2 / alpha^2) / (4 pi alpha^2 sqrt((N.L)(N.V))), the one of the fits of Ngan et al. 2005. For a viewer towards the horizon it grows without bound.
 //! reciprocal yes
 //! passive   no: it grows without bound for a viewer towards the horizon, and K is added
-//! becomes   lambert_color where ks=0
+//! becomes   lambert_color where ks=0 exactly facing
 
 uniform vec3 ks = vec3(0.1);
 //: label    Specular albedo

@@ -5,7 +5,7 @@
 //! about     Ward's highlight divided by (N.L)(N.V) in place of its root, which keeps its share of the light up to lower sun: the BRDF K / pi + ks exp(-tan(h)^2 / alpha^2) / (4 pi alpha^2 (N.L)(N.V)). Towards the horizon it grows faster still.
 //! reciprocal yes
 //! passive   no: it grows without bound towards the horizon, and K is added
-//! becomes   lambert_color where ks=0
+//! becomes   lambert_color where ks=0 exactly facing
 
 uniform vec3 ks = vec3(0.1);
 //: like     ward

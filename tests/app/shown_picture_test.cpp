@@ -30,9 +30,9 @@ Scene twoSurfaces()
     return scene;
 }
 
-Recipe recipeOf(VariantView shown)
+PictureRecipe recipeOf(VariantView shown)
 {
-    Recipe recipe{20, 4, 1};
+    PictureRecipe recipe{20, 4, 1};
     recipe.shown = shown;
     recipe.divider = 0.25;
     return recipe;
@@ -59,7 +59,7 @@ TEST(ShownPicture, ShowsTheSurfacesAsAsked)
 TEST(ShownPicture, HasTheAskedSizeAndPanesOfOneSize)
 {
     for (int width = 4; width < 40; ++width) {
-        Recipe recipe = recipeOf(VariantView::SideBySide);
+        PictureRecipe recipe = recipeOf(VariantView::SideBySide);
         recipe.width = width;
         const auto picture = shownPicture(twoSurfaces(), recipe, painted);
         ASSERT_TRUE(picture);

@@ -1,71 +1,16 @@
-// Nanoseconds per shading of the hybrid model, full K, one light, n not an integer: the textbook's pow against the
-// shipped kernels. The exponent is opaque to the compiler: seen as a constant, 37.5 becomes multiplications and a root.
-#include "core/math/lobe.h"
+// Nanoseconds per shading: the textbook's pow against the shipped kernels, the special forms against the general one, a
+// yardstick written by hand, and Oren-Nayar against Lambert. One light, n not an integer. The exponent is opaque to the
+// compiler: seen as a constant, 37.5 becomes multiplications and a root.
 #include "core/reflectance/catalogue.h"
 #include "core/reflectance/kernel_tables.h"
+#include "core/study/bench/direction_rows.h"
+#include "tests/benchmarks/yardstick.h"
 
 #include <benchmark/benchmark.h>
-#include <random>
-#include <vector>
+#include <cstring>
 
 namespace reflectance {
 namespace {
-
-/// Sixteen arrays: N, L, V, I, lightDisc and sum.
-template <class T> struct Rows {
-    std::vector<T> numbers[16];
-
-    explicit Rows(std::size_t count)
-    {
-        for (auto& array : numbers)
-            array.resize(count);
-        std::mt19937 engine(7);
-        std::normal_distribution<double> gauss;
-        const auto direction = [&] { return normalized({gauss(engine), gauss(engine), gauss(engine)}); };
-        for (std::size_t i = 0; i < count; ++i) {
-            const Vec3d N = direction();
-            Vec3d L = direction();
-            if (dot(N, L) < 0.0)
-                L = -L;
-            // Every other viewer stands near the highlight.
-            const Vec3d V = i % 2 == 0 ? direction() : normalized(mirrored(N, L) + 0.1 * direction());
-            set(0, i, N);
-            set(3, i, L);
-            set(6, i, V);
-            set(9, i, {1.0, 0.9, 0.8});
-        }
-    }
-
-    [[nodiscard]] ShadeBatch<T> batch()
-    {
-        return {numbers[0].size(),
-                at(0),
-                at(3),
-                at(6),
-                at(9),
-                numbers[12].data(),
-                {numbers[13].data(), numbers[14].data(), numbers[15].data()}};
-    }
-
-private:
-    void set(std::size_t column, std::size_t i, const Vec3d& v)
-    {
-        numbers[column][i] = static_cast<T>(v.x);
-        numbers[column + 1][i] = static_cast<T>(v.y);
-        numbers[column + 2][i] = static_cast<T>(v.z);
-    }
-    [[nodiscard]] Vec3Array<const T> at(std::size_t column) const
-    {
-        return {numbers[column].data(), numbers[column + 1].data(), numbers[column + 2].data()};
-    }
-};
-
-std::vector<double> hybridValues()
-{
-    std::vector<double> values = flatValues((*findModel("hybrid"))->text, {{"n", {37.5}}});
-    benchmark::DoNotOptimize(values.data());
-    return values;
-}
 
 /// The textbook: pow(max(0, R.V), n), one row after the other.
 template <class T> void shadeByPow(const double* values, const ShadeBatch<T>& batch)
@@ -74,7 +19,7 @@ template <class T> void shadeByPow(const double* values, const ShadeBatch<T>& ba
     for (int row = 0; row < 3; ++row)
         K.rows[row] = Vec3<T>(Vec3d(values[3 * row], values[3 * row + 1], values[3 * row + 2]));
     const T ks = static_cast<T>(values[9]);
-    const T n = static_cast<T>(values[10]);
+    const T n = static_cast<T>(values[12]);
     for (std::size_t i = 0; i < batch.count; ++i) {
         const T cosine = dot(batch.N[i], batch.L[i]);
         if (!(cosine > T(0)))
@@ -88,10 +33,14 @@ template <class T> void shadeByPow(const double* values, const ShadeBatch<T>& ba
     }
 }
 
-template <class T> void run(benchmark::State& state, void (*shade)(const double*, const ShadeBatch<T>&))
+template <class T> using Shade = void (*)(const double*, const ShadeBatch<T>&);
+
+template <class T>
+void run(benchmark::State& state, const ParameterValues& named, const std::string& model, Shade<T> shade)
 {
-    Rows<T> rows(static_cast<std::size_t>(state.range(0)));
-    const std::vector<double> values = hybridValues();
+    DirectionRows<T> rows(static_cast<std::size_t>(state.range(0)));
+    std::vector<double> values = flatValues((*findModel(model))->text, named);
+    benchmark::DoNotOptimize(values.data());
     for (auto _ : state) {
         shade(values.data(), rows.batch());
         benchmark::ClobberMemory();
@@ -99,43 +48,43 @@ template <class T> void run(benchmark::State& state, void (*shade)(const double*
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-const Model& hybrid()
+const ParameterValues hybridValues{{"n", {37.5}}};
+
+const Model& modelNamed(const char* id)
 {
-    return **findModel("hybrid");
+    return **findModel(id);
 }
 
-void powDouble(benchmark::State& state)
+template <class T>
+void add(const std::string& name, const ParameterValues& values, const std::string& model, Shade<T> shade)
 {
-    run<double>(state, shadeByPow<double>);
-}
-void powFloat(benchmark::State& state)
-{
-    run<float>(state, shadeByPow<float>);
-}
-void kernelDouble(benchmark::State& state)
-{
-    run<double>(state, hybrid().exact.shade);
-}
-void kernelFloat(benchmark::State& state)
-{
-    run<float>(state, hybrid().single.shade);
-}
-void kernelSimd(benchmark::State& state)
-{
-    run<float>(state, hybrid().lanes.shade);
-}
-void kernelSse2(benchmark::State& state)
-{
-    run<float>(state, lanesKernelsSse2()[&hybrid() - catalogue().data()].shade);
+    // 2^13 rows stay in the second-level cache, 2^18 do not.
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { run<T>(state, values, model, shade); })
+        ->Arg(1 << 13)
+        ->Arg(1 << 18);
 }
 
-// 2^13 rows stay in the second-level cache, 2^18 do not.
-BENCHMARK(powDouble)->Arg(1 << 13)->Arg(1 << 18);
-BENCHMARK(powFloat)->Arg(1 << 13)->Arg(1 << 18);
-BENCHMARK(kernelDouble)->Arg(1 << 13)->Arg(1 << 18);
-BENCHMARK(kernelFloat)->Arg(1 << 13)->Arg(1 << 18);
-BENCHMARK(kernelSimd)->Arg(1 << 13)->Arg(1 << 18);
-BENCHMARK(kernelSse2)->Arg(1 << 13)->Arg(1 << 18);
+const bool registered = [] {
+    const Model& hybrid = modelNamed("hybrid");
+    const Kernels& oneKs = hybrid.with(SpecialForm{MatrixForm::Full, ColorForm::One, false});
+    add<double>("hybrid/pow/double", hybridValues, "hybrid", shadeByPow<double>);
+    add<float>("hybrid/pow/float", hybridValues, "hybrid", shadeByPow<float>);
+    add<double>("hybrid/kernel/double", hybridValues, "hybrid", hybrid.exact.shade);
+    add<float>("hybrid/kernel/float", hybridValues, "hybrid", hybrid.single.shade);
+    add<float>("hybrid/kernel/simd", hybridValues, "hybrid", hybrid.lanes.shade);
+    add<float>("hybrid/kernel/sse2", hybridValues, "hybrid", lanesKernelsSse2()[&hybrid - catalogue().data()].shade);
+    add<double>("hybrid/one_ks/double", hybridValues, "hybrid", oneKs.exact.shade);
+    add<float>("hybrid/one_ks/simd", hybridValues, "hybrid", oneKs.lanes.shade);
+    if (std::strcmp(lanesName(), "avx2") == 0)
+        add<float>("hybrid/yardstick/avx2", hybridValues, "hybrid", yardstickHybrid);
+    for (const LobeFormFacts& facts : lobeForms().subspan(1)) // a whole n, for squarings
+        add<float>("hybrid/" + std::string(facts.name) + "/simd", {{"n", {37.0}}}, "hybrid",
+                   hybrid.with(facts.form).lanes.shade);
+    add<float>("lambert/simd", {}, "lambert", modelNamed("lambert").lanes.shade);
+    add<float>("lambert_color/simd", {}, "lambert_color", modelNamed("lambert_color").lanes.shade);
+    add<float>("oren_nayar/simd", {}, "oren_nayar", modelNamed("oren_nayar").lanes.shade);
+    return true;
+}();
 
 } // namespace
 } // namespace reflectance

@@ -1,5 +1,7 @@
 #include "tests/fuzz/promises.h"
 
+#include "core/reflectance/evaluate.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -142,6 +144,14 @@ std::string brokenPromise(const ModelText& text)
         offset += parameter.size;
     }
     return {};
+}
+
+std::string brokenPromise(const Model& model)
+{
+    // That it ends is the promise: the fuzzer's time limit would notice.
+    const Observation row{{0, 0, 1}, {0.6, 0, 0.8}, {{{0, 0.6, 0.8}, {1, 1, 1}, 0}}};
+    (void)evaluate(model, flatValues(model.text, {}), std::span(&row, 1), Precision::Double);
+    return brokenPromise(model.text);
 }
 
 } // namespace reflectance::fuzz

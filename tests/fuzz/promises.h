@@ -27,5 +27,7 @@ namespace reflectance::fuzz {
 [[nodiscard]] std::string brokenPromise(const cli::EvalRows& rows);
 /// A value for every slot of every parameter, and a text that defines shade().
 [[nodiscard]] std::string brokenPromise(const ModelText& text);
+/// The same of its text, and an evaluation that comes to an end.
+[[nodiscard]] std::string brokenPromise(const Model& model);
 
 } // namespace reflectance::fuzz

@@ -2,6 +2,7 @@
 
 #include "core/image/picture_file.h"
 #include "core/scene/kept_picture.h"
+#include "core/reflectance/own_model.h"
 #include "core/scene/scene_file.h"
 #include "tests/fuzz/curve_readers.h"
 #include "tests/fuzz/promises.h"
@@ -59,14 +60,8 @@ Outcome readRows(std::string_view bytes)
 
 Outcome readModel(std::string_view bytes)
 {
-    static const std::vector<ModelText> earlier = [] {
-        std::vector<ModelText> texts;
-        for (const Model& model : catalogue())
-            texts.push_back(model.text);
-        return texts;
-    }();
-    const auto text = parseModelText("a", bytes, earlier);
-    return text ? Outcome{true, brokenPromise(*text)} : refused(text.error());
+    const auto model = ownModel("a.glsl", bytes);
+    return model ? Outcome{true, brokenPromise(**model)} : refused(model.error());
 }
 
 constexpr char obj[] = "a.obj", ply[] = "a.ply", off[] = "a.off", stl[] = "a.stl";

@@ -34,7 +34,7 @@ std::vector<std::string> sceneSeeds()
 
 std::vector<std::string> sessionSeeds()
 {
-    Recipe recipe;
+    PictureRecipe recipe;
     recipe.shown = VariantView::Wipe;
     return {*findNote(keptNotes(defaultScene(), recipe, "/nonexistent"), "reflectance.session"),
             R"({"program": "0.1", "picture": {"width": 3, "samples": 9}, "scene": {"mesh": "sphere"}})"};
@@ -91,7 +91,10 @@ std::vector<std::string> modelSeeds()
             "uniform mat3 K = transpose(mat3(1, 0, 0,\n    0, 1, 0,\n    0, 0, 1));\n//: tooltip rows\n"
             "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I)\n{\n    return kd * I;\n}\n",
             "uniform float kd = 0.5;\n//: like lambert\nvec3 shadeEnvironment(vec3 N, vec3 V) { return N; }\n"
-            "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { return insideLight(L, V) * I; }\n"};
+            "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { return insideLight(L, V) * I; }\n",
+            "const float two = 2.0;\nfloat f(float a, int n) { for (int i = 0; i < n; ++i) { a *= two; } return a; }\n"
+            "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I)\n{\n    vec3 P[3];\n    P[1] = I;\n"
+            "    if (N.z > 0.0 && !(L.x == 1.0)) return f(pow(dot(N, L), 5.0), 3) * P[1]; else { return -I; }\n}\n"};
 }
 
 } // namespace reflectance::fuzz

@@ -88,6 +88,12 @@ class Pictures(unittest.TestCase):
         self.assertGreater(single["max_abs"], 0.0)
         self.assertLess(single["max_abs"], 1e-4)
 
+    def test_the_trade_has_an_exact_end_and_a_front(self):
+        found = reflectance.trade(width=16, height=16, samples=64, repetitions=1)
+        self.assertEqual(min(way["max_abs"] for way in found), 0.0)  # double at 64 samples a pixel is the truth itself
+        self.assertTrue(any(way["on_front"] for way in found))
+        self.assertIn("simd", {way["precision"] for way in found})
+
     def test_differences_in_closed_form(self):
         a = np.zeros((4, 4, 3))
         b = a.copy()

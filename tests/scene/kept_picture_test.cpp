@@ -29,12 +29,12 @@ Scene unusualScene()
     return scene;
 }
 
-Recipe unusualRecipe()
+PictureRecipe unusualRecipe()
 {
     return {641, 3, 8, "cpu", "simd", "vertex", "power", "half", VariantView::Wipe, 1.0 / 3.0, true};
 }
 
-std::string sessionOf(const Scene& scene, const Recipe& recipe, const std::string& folder = {})
+std::string sessionOf(const Scene& scene, const PictureRecipe& recipe, const std::string& folder = {})
 {
     return *findNote(keptNotes(scene, recipe, folder), "reflectance.session");
 }

@@ -14,11 +14,11 @@ using testing::Not;
 TEST(Requirements, NameOnlyWhatTheSceneNeeds)
 {
     Scene scene = defaultScene();
-    EXPECT_EQ(requirementsOf(scene).key(), "hybrid+directional");
+    EXPECT_EQ(requirementsOf(scene).key(), "hybrid+one+directional");
     scene.lights.front().kind = LightKind::Point;
-    EXPECT_EQ(requirementsOf(scene).key(), "hybrid+directional+point");
+    EXPECT_EQ(requirementsOf(scene).key(), "hybrid+one+directional+point");
     scene.lights.clear();
-    EXPECT_EQ(requirementsOf(scene).key(), "hybrid");
+    EXPECT_EQ(requirementsOf(scene).key(), "hybrid+one");
     scene.surface.model = "mirror";
     EXPECT_EQ(requirementsOf(scene).key(), "mirror+environment");
     scene.environment.radiance = {};

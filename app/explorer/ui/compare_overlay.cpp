@@ -79,7 +79,7 @@ void drawRegion(const CompareView& compare, const Area& pane)
 void drawName(ExplorerState& state, bool isB, const Area& pane, bool atRight)
 {
     const Surface& surface = isB && state.scene.other ? *state.scene.other : state.scene.surface;
-    const auto model = findModel(surface.model);
+    const auto model = findModelOf(surface);
     const std::string name = std::string(isB ? "B   " : "A   ") + (model ? (*model)->text.name : surface.model);
     const float most = pane.width - points(16);
     const float width = std::min(sizeIn(Face::Body, name).x + points(20), most);

@@ -103,8 +103,10 @@ PlotHover drawPlot(const char* id, const PolarChart& chart, ImVec2 size)
     Disc disc;
     disc.radius = std::min(area.size.x / 2 - points(30), area.size.y - points(64));
     disc.centre = {area.topLeft.x + area.size.x / 2, area.topLeft.y + area.size.y - points(38)};
-    if (disc.radius < points(24))
+    if (disc.radius < points(24)) {
+        tooltip(readingHint);
         return {};
+    }
     drawRings(list, chart, disc);
     drawRays(list, chart, disc);
     list.PushClipRect(area.topLeft, {area.topLeft.x + area.size.x, area.topLeft.y + area.size.y}, true);

@@ -35,7 +35,7 @@ inline constexpr Shortcut shortcutTable[] = {
     {"Compare", "X", "the hand from A to B and back; flips the picture in Flip"},
     {"Compare", "Ctrl+drag, Ctrl+click", "take the figures in a rectangle, over the whole object again"},
     {"Compare", "B", "clay, Lambert beside Oren-Nayar; once more brings back what was there"},
-    {"Program", "Ctrl+O, or drop a file", "open a mesh, a scene, a saved picture or an environment"},
+    {"Program", "Ctrl+O, or drop a file", "open a mesh, a scene, a saved picture, an environment or a model of your own"},
     {"Program", "Ctrl+S", "save the scene"},
     {"Program", "Ctrl+R", "restore the session before a crash, while it is offered"},
     {"Program", "F12, Ctrl+F12", "save a picture of the view, of the whole window"},

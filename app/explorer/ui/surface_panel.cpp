@@ -59,6 +59,11 @@ void modelMenu(ExplorerState& state)
     const bool open = beginMenu("##model menu", current.text.name.c_str());
     if (open) {
         std::string_view family;
+        if (surface.own) {
+            remark("Your own", palette::accent);
+            if (modelLine(surface.own->text, surface.own.get() == &current))
+                surface.model = surface.own->id();
+        }
         for (const Model& model : catalogue()) {
             if (model.text.family != family)
                 remark(model.text.family, palette::accent);

@@ -72,8 +72,9 @@ void intensitiesAt(const Light& light, const std::array<T, blockSize>& distances
 } // namespace
 
 template <class T>
-SampleShader<T>::SampleShader(const ViewSamples& samples, const Scene& scene, const Kernel<T>& kernel)
-    : samples_(samples), kernel_(kernel), values_(valuesOf(scene)), scene_(scene),
+SampleShader<T>::SampleShader(const ViewSamples& samples, const Scene& scene, const Kernel<T>& kernel,
+                              std::vector<double> values)
+    : samples_(samples), kernel_(kernel), values_(std::move(values)), scene_(scene),
       measured_(lookUpsIn(scene.surface.table.get()).in<T>()), paintsHoles_(showsHoles(scene))
 {
     for (const Light& light : shiningLights(scene)) {

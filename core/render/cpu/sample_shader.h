@@ -11,8 +11,9 @@ namespace reflectance {
 
 template <class T> class SampleShader {
 public:
-    /// The samples and the scene must outlive the shader.
-    SampleShader(const ViewSamples& samples, const Scene& scene, const Kernel<T>& kernel);
+    /// The kernel and its values are the scene's, or what the scene requires of them; samples and scene must outlive the
+    /// shader.
+    SampleShader(const ViewSamples& samples, const Scene& scene, const Kernel<T>& kernel, std::vector<double> values);
 
     /// Radiance of samples first .. first + count, count <= blockSize, into block.sum.
     void shade(std::size_t first, std::size_t count, ShadeBlock<T>& block) const;

@@ -2,6 +2,7 @@
 #include "core/base/check.h"
 #include "core/render/cpu/pixel_runs.h"
 #include "core/render/cpu/sample_shader.h"
+#include "core/scene/requirements.h"
 
 #include <algorithm>
 
@@ -28,10 +29,10 @@ void sumSamples(const ViewSamples& samples, const SampleShader<T>& shader, std::
 }
 
 template <class T>
-void shadeWith(const Kernel<T>& kernel, const ViewSamples& samples, RowBand band, const Scene& scene, Stretch stretch,
-               Image& image)
+void shadeWith(const Kernel<T>& kernel, const std::vector<double>& values, const ViewSamples& samples, RowBand band,
+               const Scene& scene, Stretch stretch, Image& image)
 {
-    const SampleShader<T> shader(samples, scene, kernel);
+    const SampleShader<T> shader(samples, scene, kernel, values);
     const auto sum = [&](std::size_t first, std::span<Vec3<T>> sums) { sumSamples<T>(samples, shader, first, sums); };
     shadePixelRuns<T>(samples, band, scene, stretch, sum, image);
 }
@@ -42,12 +43,14 @@ void shadeBand(const ViewSamples& samples, RowBand band, const Scene& scene, con
                Stretch stretch, Image& image)
 {
     CHECK_LT(static_cast<int>(arithmetic.precision), static_cast<int>(Precision::Glsl));
-    const Kernels& kernels = modelOf(scene).with(arithmetic.lobe);
+    const RequiredModel required = requiredSurface(scene, arithmetic);
+    const bool otherLobe = arithmetic.lobe != LobeForm::Conditioned && required.model->text.usesLobe;
+    const Kernels& kernels = otherLobe ? required.model->with(arithmetic.lobe) : required.model->with(required.form);
     if (arithmetic.precision == Precision::Double)
-        shadeWith(kernels.exact, samples, band, scene, stretch, image);
+        shadeWith(kernels.exact, required.values, samples, band, scene, stretch, image);
     else
-        shadeWith(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes, samples, band, scene,
-                  stretch, image);
+        shadeWith(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes, required.values, samples,
+                  band, scene, stretch, image);
 }
 
 } // namespace reflectance

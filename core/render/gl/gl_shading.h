@@ -11,6 +11,7 @@ struct GlShading {
     Place place = Place::Sample; ///< Sample or Pixel
     bool halfBuffer = false;     ///< the linear picture is kept in 16-bit floats: 11 bits, nothing beyond 65504
     LobeForm lobe = LobeForm::Conditioned;
+    bool specialised = true; ///< see Arithmetic
 
     friend bool operator==(const GlShading&, const GlShading&) = default;
 };

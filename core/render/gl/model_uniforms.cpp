@@ -7,7 +7,23 @@
 
 namespace reflectance {
 
-void uploadParameters(const GlProgram& program, const ModelText& model, std::span<const double> values)
+namespace {
+
+/// As the special form takes it.
+void uploadMatrix(const GlProgram& program, const char* name, const std::vector<float>& rows, MatrixForm form)
+{
+    if (form == MatrixForm::Full)
+        program.setRows(name, rows.data());
+    else if (form == MatrixForm::Diagonal)
+        program.set(name, Vec3d(rows[0], rows[4], rows[8]));
+    else if (form == MatrixForm::Grey)
+        program.set(name, rows[0]);
+}
+
+} // namespace
+
+void uploadParameters(const GlProgram& program, const ModelText& model, std::span<const double> values,
+                      const SpecialForm& form)
 {
     CHECK_EQ(values.size(), model.valueCount());
     for (const Parameter& parameter : model.parameters) {
@@ -19,10 +35,13 @@ void uploadParameters(const GlProgram& program, const ModelText& model, std::spa
             program.set(name, rounded[0]);
             break;
         case ParameterKind::Color:
-            program.set(name, Vec3d(numbers[0], numbers[1], numbers[2]));
+            if (parameter.name == "ks" && form.ks == ColorForm::One)
+                program.set(name, rounded[0]);
+            else
+                program.set(name, Vec3d(numbers[0], numbers[1], numbers[2]));
             break;
         case ParameterKind::Matrix:
-            program.setRows(name, rounded.data());
+            uploadMatrix(program, name, rounded, form.K);
             break;
         case ParameterKind::Choice:
             program.set(name, static_cast<int>(numbers[0]));

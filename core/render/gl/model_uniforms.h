@@ -9,7 +9,8 @@
 namespace reflectance {
 
 /// `values` is the model's flat list; each number is rounded once to float. The program must be in use.
-void uploadParameters(const GlProgram& program, const ModelText& model, std::span<const double> values);
+void uploadParameters(const GlProgram& program, const ModelText& model, std::span<const double> values,
+                      const SpecialForm& form = {});
 
 /// The table of the model's n, for LobeForm::Table.
 void uploadLobeTable(const GlProgram& program, const ModelText& model, std::span<const double> values);

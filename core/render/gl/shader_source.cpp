@@ -15,6 +15,19 @@ const char* typeOf(ParameterKind kind)
     return types[static_cast<std::size_t>(kind)];
 }
 
+std::string declarationOf(const Parameter& parameter, const SpecialForm& form)
+{
+    const bool isMatrix = parameter.kind == ParameterKind::Matrix && parameter.name == "K";
+    if (isMatrix && form.K == MatrixForm::Zero)
+        return "const float K = 0.0;\n";
+    if (isMatrix && form.K != MatrixForm::Full)
+        return form.K == MatrixForm::Diagonal ? "uniform vec3 K;\n" : "uniform float K;\n";
+    if (form.ks == ColorForm::One && parameter.kind == ParameterKind::Color && parameter.name == "ks")
+        return "uniform float ks;\n";
+    return std::string("uniform ") + typeOf(parameter.kind) + " " + parameter.name +
+           (parameter.kind == ParameterKind::List ? "[" + std::to_string(parameter.size) + "]" : "") + ";\n";
+}
+
 /// Takes a whole number off the front of `text`.
 std::optional<long> takeNumber(std::string_view& text)
 {
@@ -52,30 +65,33 @@ ShaderPiece shaderFile(std::string_view name)
     return {"shaders/" + std::string(name), std::string(embeddedText(name))};
 }
 
-ShaderPiece parameterDeclarations(const ModelText& model)
+ShaderPiece parameterDeclarations(const ModelText& model, const SpecialForm& form)
 {
     ShaderPiece piece{"parameters of " + model.id, {}};
     for (const Parameter& parameter : model.parameters)
-        piece.text += std::string("uniform ") + typeOf(parameter.kind) + " " + parameter.name +
-                      (parameter.kind == ParameterKind::List ? "[" + std::to_string(parameter.size) + "]" : "") + ";\n";
+        piece.text += declarationOf(parameter, form);
     return piece;
 }
 
 ShaderPiece modelCode(const ModelText& model)
 {
-    return {"shaders/reflectance/" + model.id + ".glsl", model.code};
+    return {model.file, model.code};
 }
 
-std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable, LobeForm lobe)
+std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable, LobeForm lobe, const SpecialForm& form)
 {
-    std::vector<ShaderPiece> pieces{shaderFile("prelude.glsl"), parameterDeclarations(model)};
+    std::vector<ShaderPiece> pieces{shaderFile("prelude.glsl"), parameterDeclarations(model, form)};
     if (model.usesLobe) {
         pieces.push_back(shaderFile("lobe/counting.glsl"));
         pieces.push_back(shaderFile(factsOf(lobe).text));
     }
     if (model.usesTable)
         pieces.push_back(shaderFile(hasTable ? "measured/lookup.glsl" : "gl/no_table.glsl"));
+    if (form.facing)
+        pieces.push_back({"shaders/gl/facing.glsl", "#define shade shadeAnyViewer\n"});
     pieces.push_back(modelCode(model));
+    if (form.facing)
+        pieces.push_back(shaderFile("gl/facing.glsl"));
     return pieces;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/reflectance/lobe_form.h"
 #include "core/reflectance/model_text.h"
+#include "core/reflectance/special_form.h"
 
 #include <string>
 #include <string_view>
@@ -26,8 +27,8 @@ struct ShaderSource {
 [[nodiscard]] ShaderPiece shaderFile(std::string_view name);
 
 /// "uniform float ks;" for each parameter: the text's own declarations were taken out by the parser. No initialisers,
-/// since every value is uploaded.
-[[nodiscard]] ShaderPiece parameterDeclarations(const ModelText& model);
+/// since every value is uploaded. A special form declares K and ks as what it takes them for: vec3, float, or a 0.
+[[nodiscard]] ShaderPiece parameterDeclarations(const ModelText& model, const SpecialForm& form = {});
 
 /// The model's formula.
 [[nodiscard]] ShaderPiece modelCode(const ModelText& model);
@@ -35,7 +36,7 @@ struct ShaderSource {
 /// All that stands before the stage: prelude, lobe, parameters, the table's lookup where the model needs one (`hasTable`:
 /// there is one), and the model.
 [[nodiscard]] std::vector<ShaderPiece> modelPieces(const ModelText& model, bool hasTable,
-                                                   LobeForm lobe = LobeForm::Conditioned);
+                                                   LobeForm lobe = LobeForm::Conditioned, const SpecialForm& form = {});
 
 inline constexpr long linesPerFile = 100'000;
 

@@ -6,8 +6,9 @@ namespace reflectance {
 
 ShadingInputs shadingInputsOf(const Scene& scene, const GlShading& how)
 {
-    ShadingInputs inputs{requirementsOf(scene, how.lobe),
-                         valuesOf(scene),
+    const Arithmetic arithmetic(Precision::Glsl, how.lobe, how.specialised);
+    ShadingInputs inputs{requirementsOf(scene, arithmetic),
+                         requiredSurface(scene, arithmetic).values,
                          lightTexels(shiningLights(scene)),
                          scene.environment,
                          scene.background,

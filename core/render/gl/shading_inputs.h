@@ -13,7 +13,7 @@ namespace reflectance {
 
 struct ShadingInputs {
     Requirements requirements;
-    std::vector<double> values; ///< the model's parameters
+    std::vector<double> values; ///< the required model's parameters
     std::vector<float> lights;  ///< see lightTexels
     Environment environment;    ///< None unless required
     Background background;

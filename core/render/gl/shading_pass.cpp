@@ -30,7 +30,7 @@ std::vector<std::string> definesFor(const Requirements& r, Place place)
 
 ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place place)
 {
-    std::vector<ShaderPiece> pieces = modelPieces(model, r.table, r.lobe);
+    std::vector<ShaderPiece> pieces = modelPieces(model, r.table, r.lobe, r.form);
     if (r.holes)
         pieces.push_back(shaderFile("measured/holes.glsl"));
     if (r.environment || r.environmentBackground) {
@@ -71,11 +71,8 @@ void ShadingPass::keepIn(bool halfBuffer)
 Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements, Place place)
 {
     return programs_.find(requirements.key() + (place == Place::Pixel ? "+once" : ""), [&]() -> Result<GlProgram> {
-        const auto model = findModel(requirements.model);
-        if (!model)
-            return model.error();
         return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
-                               sourceFor(requirements, (*model)->text, place));
+                               sourceFor(requirements, requirements.modelUsed().text, place));
     });
 }
 
@@ -130,8 +127,8 @@ Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs&
     if (inputs.table)
         if (auto shown = table_.show(program, inputs.table, Unit::MeasuredTexels); !shown)
             return shown;
-    const ModelText& model = (*findModel(inputs.requirements.model))->text;
-    uploadParameters(program, model, inputs.values);
+    const ModelText& model = inputs.requirements.modelUsed().text;
+    uploadParameters(program, model, inputs.values, inputs.requirements.form);
     if (inputs.requirements.lobe == LobeForm::Table)
         uploadLobeTable(program, model, inputs.values);
     keepIn(inputs.how.halfBuffer);

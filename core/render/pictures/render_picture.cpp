@@ -37,7 +37,7 @@ template <class Shade> double medianMilliseconds(int repetitions, Shade shade)
 void renderFrames(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan, Progress* progress,
                   Rendered& rendered)
 {
-    const Arithmetic arithmetic(plan.precision, plan.lobe);
+    const Arithmetic arithmetic(plan.precision, plan.lobe, plan.specialised);
     const Clock::time_point start = Clock::now();
     const PlacedView view = placedView(
         std::make_shared<const ViewSamples>(sampleView(*makeRayScene(scene.mesh), scene.camera, settings, progress)),
@@ -58,7 +58,7 @@ Result<Rendered> renderByCpu(const Scene& scene, const RenderSettings& settings,
         rendered.precision += std::string(" (") + lanesName() + ")";
     if (plan.frames == 1 && plan.place == Place::Sample) { // in bands, which keeps huge pictures small in memory
         const Clock::time_point start = Clock::now();
-        rendered.image = renderOnCpu(scene, settings, {plan.precision, plan.lobe}, progress);
+        rendered.image = renderOnCpu(scene, settings, {plan.precision, plan.lobe, plan.specialised}, progress);
         rendered.firstFrameMilliseconds = millisecondsSince(start);
     } else {
         renderFrames(scene, settings, plan, progress, rendered);
@@ -78,7 +78,7 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
     auto renderer = GlRenderer::create(context.loader());
     if (!renderer)
         return renderer.error();
-    const GlShading how{plan.place, false, plan.lobe};
+    const GlShading how{plan.place, false, plan.lobe, plan.specialised};
     if (const auto drawn = renderer->render(scene, settings, how); !drawn)
         return drawn.error();
     renderer->finish();

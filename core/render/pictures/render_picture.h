@@ -22,6 +22,7 @@ struct RenderPlan {
     int frames = 1;              ///< shadings; more than one for timing
     Place place = Place::Sample; ///< where the model is evaluated; the GL renderer knows Sample and Pixel
     LobeForm lobe = LobeForm::Conditioned;
+    bool specialised = true; ///< see Arithmetic
 };
 
 struct Rendered {
