@@ -1,7 +1,10 @@
 // Normals that the file does not give, or gives badly.
+#include "core/geometry/assemble.h"
 #include "core/geometry/normals.h"
+#include "core/geometry/readers.h"
 #include "tests/geometry/mesh_text.h"
 
+#include <cstring>
 #include <gmock/gmock.h>
 #include <map>
 #include <numbers>
@@ -150,6 +153,31 @@ TEST(Normals, CanBeComputedAnewOnRequest)
     const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 1\nf 1//1 2//1 3//1\n";
     EXPECT_NE(loaded(text).mesh->normals[0], Vec3d(0, 0, 1)) << "the planted normal, kept without the option";
     EXPECT_EQ(loaded(text, "a.obj", options).mesh->normals[0], Vec3d(0, 0, 1));
+}
+
+/// The mesh's normals as so many threads compute them.
+std::vector<Vec3d> smoothedBy(int threads, const std::string& text)
+{
+    ReadContext context;
+    context.threads = threads;
+    MeshReport report;
+    auto soup = readObj(TextParts(text), context);
+    auto list = trianglesOf(*soup, context, report);
+    CornerNormals normals = fileNormals(*soup, *list, report, threads);
+    smoothMissingNormals(*soup, *list, 55.0, normals, report, threads);
+    return assembled(*soup, *std::move(list), normals, report).normals;
+}
+
+TEST(Normals, DoNotDependOnTheNumberOfThreads)
+{
+    const std::string text = sphereObj(180, 250); // more vertices than one thread takes at a time
+    const std::vector<Vec3d> alone = smoothedBy(1, text);
+    ASSERT_GT(alone.size(), 40000U);
+    for (const int threads : {2, 5}) {
+        const std::vector<Vec3d> together = smoothedBy(threads, text);
+        ASSERT_EQ(together.size(), alone.size());
+        EXPECT_EQ(std::memcmp(together.data(), alone.data(), alone.size() * sizeof(Vec3d)), 0) << threads;
+    }
 }
 
 } // namespace
