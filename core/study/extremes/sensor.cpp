@@ -51,7 +51,7 @@ std::vector<int> codesInGlsl(Bench& bench, const std::vector<double>& values)
     for (const double value : values)
         rows.push_back({up, up, {{up, Vec3d(value), 0.0}}});
     std::vector<int> codes;
-    for (const Vec3d& encoded : bench.ask({{}, *text, {}, {}}, {}, rows))
+    for (const Vec3d& encoded : bench.ask({{}, *text, {}, {}, {}}, {}, rows))
         codes.push_back(quantised(encoded.x));
     return codes;
 }

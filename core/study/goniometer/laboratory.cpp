@@ -14,8 +14,8 @@
 namespace reflectance {
 namespace {
 
-constexpr std::uint64_t fewestBatches = 4; ///< fewer tell no error
-constexpr std::uint64_t batchesPerPass = 4;
+constexpr std::uint64_t fewestBatches = 4;  ///< fewer tell no error
+constexpr std::uint64_t batchesPerPass = 1; ///< few: whoever watches or stops a run does not wait long
 
 using Clock = std::chrono::steady_clock;
 

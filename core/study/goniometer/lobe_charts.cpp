@@ -126,9 +126,16 @@ PolarChart lobeChart(const LabRun& run, const std::string& name, std::size_t inc
         add(formulaSeries(formulas[i], thetaI, seriesColor(i + 1)), false);
     add(tracedSeries(run, name, incidence, seriesColor(0)), true);
     double largest = 1e-3;
-    for (const double radius : chart.curves.back().radius)
-        if (std::isfinite(radius))
-            largest = std::max(largest, radius);
+    // What was traced rules; before that, whatever there is.
+    const auto grow = [&](const PolarChart::Curve& curve) {
+        for (const double radius : curve.radius)
+            if (std::isfinite(radius))
+                largest = std::max(largest, radius);
+    };
+    if (chart.curves.back().radius.empty())
+        std::for_each(chart.curves.begin(), chart.curves.end(), grow);
+    else
+        grow(chart.curves.back());
     chart.largest = 1.15 * largest;
     chart.rays = {-thetaI, thetaI};
     chart.rayNames = {"L", "R"};

@@ -75,7 +75,7 @@ TEST(Laboratory, AStoppedRunGoesOnAsIfItHadNot)
     const std::string whole = checkpointText(bench.measured(targets));
     LabRun run = startedRun(bench.setup, bench.surface.fingerprint());
     int sittings = 0;
-    for (bool stopped = true; stopped && sittings < 100; ++sittings) {
+    for (bool stopped = true; stopped && sittings < 5000; ++sittings) {
         Progress progress;
         measure(run, bench.tracer, targets, &progress, [&](const LabRun&) { progress.cancel = true; });
         stopped = progress.cancel;

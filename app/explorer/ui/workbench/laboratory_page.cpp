@@ -17,7 +17,7 @@ namespace reflectance::explorer {
 
 namespace {
 
-constexpr float controlsWidth = 300.0F;
+constexpr float setupWidth = 288.0F, resultWidth = 250.0F, narrowWidth = 262.0F;
 
 void surfaceRows(LabWish& wish)
 {
@@ -187,10 +187,19 @@ void incidenceRow(ExplorerState& state)
     numberRow(row, state.lab.thetaI, state.message);
 }
 
-void drawControls(ExplorerState& state, const std::shared_ptr<const LabRun>& run)
+void drawResult(ExplorerState& state, const LabRun& run)
+{
+    incidenceRow(state);
+    useRows(state, run);
+    remark(stateOf(run));
+}
+
+/// Setup, and beside it the result; in a narrow window below it.
+void drawControls(ExplorerState& state, const LabRun* run)
 {
     LabStudy& study = state.lab;
-    ImGui::BeginChild("controls", {points(controlsWidth), 0}, false, ImGuiWindowFlags_NavFlattened);
+    const bool beside = ImGui::GetContentRegionAvail().x > points(setupWidth + resultWidth + 200.0F);
+    ImGui::BeginChild("setup", {points(beside ? setupWidth : narrowWidth), 0}, false, ImGuiWindowFlags_NavFlattened);
     scrollBarTooltip("More controls above and below.");
     ImGui::BeginDisabled(study.running);
     surfaceRows(study.wish);
@@ -201,12 +210,17 @@ void drawControls(ExplorerState& state, const std::shared_ptr<const LabRun>& run
     startRow(study);
     if (!study.problem.empty())
         remark(study.problem, palette::error);
-    if (run) {
-        incidenceRow(state);
-        useRows(state, *run);
-        remark(stateOf(*run));
-    }
+    if (run && !beside)
+        drawResult(state, *run);
     ImGui::EndChild();
+    ImGui::SameLine();
+    if (!run || !beside)
+        return;
+    ImGui::BeginChild("result", {points(resultWidth), 0}, false, ImGuiWindowFlags_NavFlattened);
+    scrollBarTooltip("More about this run above and below.");
+    drawResult(state, *run);
+    ImGui::EndChild();
+    ImGui::SameLine();
 }
 
 /// The scene's surface beside what was traced, where it is a formula.
@@ -223,8 +237,7 @@ std::vector<NamedFactor> formulasOf(const Scene& scene)
 void drawLaboratoryPage(ExplorerState& state)
 {
     const std::shared_ptr<const LabRun> run = state.lab.run; // a newer one may come while this is drawn
-    drawControls(state, run);
-    ImGui::SameLine();
+    drawControls(state, run.get());
     if (!run)
         return remark("Choose a micro-surface and what its facets are made of, and measure: rays go from every viewer "
                       "to the facets "
