@@ -93,7 +93,8 @@ std::vector<std::string> partsOf(const Scene& a, const Scene& b)
     note(a.lights != b.lights, [&] { return nameOf(a.lights, b.lights); });
     note(a.environment != b.environment, [] { return std::string("Environment"); });
     note(a.background != b.background, [] { return std::string("Background"); });
-    note(a.sensor != b.sensor, [] { return std::string("Exposure"); });
+    note(a.sensor != b.sensor,
+         [&] { return std::string(a.sensor.exposure != b.sensor.exposure ? "Exposure" : "Sensor"); });
     note(a.camera != b.camera, [&] { return nameOf(a.camera, b.camera); });
     return parts;
 }
