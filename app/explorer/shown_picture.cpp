@@ -6,6 +6,7 @@
 #include "core/sensor/picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace reflectance::explorer {
@@ -16,7 +17,7 @@ constexpr int narrowestGap = 2;
 Result<ShownPicture> mapOf(const Image& a, const Image& b, const Sensor& sensor)
 {
     Progress unwatched;
-    std::optional<DifferencePicture> map = differenceOf(a, b, sensor.exposure, false, unwatched);
+    std::optional<DifferencePicture> map = differenceOf(a, b, std::log2(gainOf(sensor)), false, unwatched);
     if (!map)
         return Error{"the pictures of A and B do not compare"};
     ShownPicture picture;
