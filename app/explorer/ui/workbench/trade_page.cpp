@@ -52,6 +52,35 @@ void metricRow(TradeStudy& study)
     }
 }
 
+NumberRow budgetRow()
+{
+    NumberRow row;
+    row.name = row.label = "Budget";
+    row.unit = std::string("ms");
+    row.about = "Milliseconds that shading again may take.";
+    row.logarithmic = true;
+    row.legalMin = 1e-12;
+    row.sliderMin = 0.1;
+    row.sliderMax = 1000.0;
+    row.initial = 5.0;
+    return row;
+}
+
+NumberRow toleranceRow(Metric metric)
+{
+    const bool isDeltaE = metric == Metric::DeltaE;
+    NumberRow row;
+    row.name = row.label = "Tolerance";
+    row.about =
+        "The largest error that is good enough, by the figure chosen above. The line in the chart can be dragged.";
+    row.logarithmic = true;
+    row.legalMin = 1e-12;
+    row.sliderMin = isDeltaE ? 1e-3 : 1e-6;
+    row.sliderMax = isDeltaE ? 100.0 : 1.0;
+    row.initial = isDeltaE ? 1.0 : 0.02;
+    return row;
+}
+
 void dialRows(TradeStudy& study, std::optional<Message>& message)
 {
     static constexpr Choice dials[] = {{"error \u2264", "The cheapest candidate that is at least so exact."},
@@ -62,24 +91,7 @@ void dialRows(TradeStudy& study, std::optional<Message>& message)
         study.selected.reset();
     }
     ImGui::PopID();
-    NumberRow row;
-    row.logarithmic = true;
-    row.legalMin = 1e-12;
-    if (study.byTime) {
-        row.name = row.label = "Budget";
-        row.unit = "ms";
-        row.about = "Milliseconds that shading again may take.";
-        row.sliderMin = 0.1;
-        row.sliderMax = 1000.0;
-        row.initial = 5.0;
-    } else {
-        row.name = row.label = "Tolerance";
-        row.about =
-            "The largest error that is good enough, by the figure chosen above. The line in the chart can be dragged.";
-        row.sliderMin = study.metric == Metric::DeltaE ? 1e-3 : 1e-6;
-        row.sliderMax = study.metric == Metric::DeltaE ? 100.0 : 1.0;
-        row.initial = study.metric == Metric::DeltaE ? 1.0 : 0.02;
-    }
+    const NumberRow row = study.byTime ? budgetRow() : toleranceRow(study.metric);
     if (numberRow(row, study.byTime ? study.milliseconds : study.tolerance, message))
         study.selected.reset();
 }
