@@ -173,7 +173,7 @@ TEST(Walked, WhatIsWrongIsSaidWithItsLine)
         {"vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { while (true) return I; }\n", 1, "a statement is"},
         {"vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { if (N.x > 0.0) return I; }\n", 1, "must end with a return"},
         {"#define A\nvec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { return I; }\n", 1, "preprocessor"},
-        {"vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I)\n{\n    return I;\n", 4, "ends within"},
+        {"vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I)\n{\n    return I;\n", 3, "ends within"},
         {"vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { for (int i = 0; i < 2; ++i) i = 0; return I; }", 1,
          "cannot be changed"},
         {"uniform float k = 1.0;\nvec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { k = 2.0; return I; }", 2,

@@ -30,7 +30,8 @@ public:
                 return Error{problem_, {}, line_};
         if (!problem_.empty())
             return Error{problem_, {}, line_};
-        tokens_.push_back({Token::Kind::End, {}, at_, line_, 0.0});
+        const long last = tokens_.empty() ? 1 : tokens_.back().line; // blank lines at the end are nobody's fault
+        tokens_.push_back({Token::Kind::End, {}, at_, last, 0.0});
         return std::move(tokens_);
     }
 
