@@ -157,8 +157,10 @@ vec4 linear(vec4 a, vec4 b, float t)
     return vec4(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z), weight);
 }
 
-// Whether an axis is looked at in two, or in four places.
-bool isExact(float t) { return t == 0.0 && tableInterpolation > 0; }
+// Whether an axis is looked at in one place, two, or four. Each place is asked for in one line of the text only: a driver
+// copies a function's body to each of its calls, and compiles the more slowly.
+bool isOnePlace(float t) { return t == 0.0 || tableInterpolation == 0; }
+int nearest(int i, float t) { return tableInterpolation == 0 && t >= 0.5 ? i + 1 : i; }
 bool isCubic(vec4 a, vec4 b) { return tableInterpolation == 2 && a.w == 1.0 && b.w == 1.0; }
 
 vec4 tableSample(int index, int row)
@@ -168,11 +170,9 @@ vec4 tableSample(int index, int row)
 
 vec4 alongC(int first, int row, int i, float t)
 {
-    int at = first * tableCountC + i;
-    if (tableInterpolation == 0)
-        return tableSample(t < 0.5 ? at : at + 1, row);
+    int at = first * tableCountC + nearest(i, t);
     vec4 a = tableSample(at, row);
-    if (isExact(t))
+    if (isOnePlace(t))
         return a;
     vec4 b = tableSample(at + 1, row);
     if (!isCubic(a, b))
@@ -189,11 +189,9 @@ vec4 alongC(int first, int row, int i, float t)
 
 vec4 alongB(int first, int row, int i, float t, int c, float tC)
 {
-    int at = first * tableCountB + i;
-    if (tableInterpolation == 0)
-        return alongC(t < 0.5 ? at : at + 1, row, c, tC);
+    int at = first * tableCountB + nearest(i, t);
     vec4 a = alongC(at, row, c, tC);
-    if (isExact(t))
+    if (isOnePlace(t))
         return a;
     vec4 b = alongC(at + 1, row, c, tC);
     if (!isCubic(a, b))
@@ -209,10 +207,8 @@ vec4 alongB(int first, int row, int i, float t, int c, float tC)
 
 vec4 alongA(int row, int i, float t, int b, float tB, int c, float tC)
 {
-    if (tableInterpolation == 0)
-        return alongB(t < 0.5 ? i : i + 1, row, b, tB, c, tC);
-    vec4 here = alongB(i, row, b, tB, c, tC);
-    if (isExact(t))
+    vec4 here = alongB(nearest(i, t), row, b, tB, c, tC);
+    if (isOnePlace(t))
         return here;
     vec4 next = alongB(i + 1, row, b, tB, c, tC);
     if (!isCubic(here, next))
@@ -247,13 +243,21 @@ vec3 tableAt(vec3 N, vec3 L, vec3 V, vec3 I)
     float tC = tableSystem == 0 ? 0.0 : shareAbove(startC, tableCountC, c, angles.z);
     if (min(tA, min(tB, tC)) < 0.0)
         return inHole();
-    vec4 first = alongA(0, a, tA, b, tB, c, tC);
-    if (first.w < 0.5)
-        return inHole();
-    vec3 red = vec3(first.x, first.y, first.z);
-    if (!tableIsMatrix)
-        return red * I;
-    vec4 second = alongA(1, a, tA, b, tB, c, tC);
-    vec4 third = alongA(2, a, tA, b, tB, c, tC);
-    return vec3(dot(red, I), dot(vec3(second.x, second.y, second.z), I), dot(vec3(third.x, third.y, third.z), I));
+    vec3 seen = vec3(0.0);
+    for (int row = 0; row < tableRows; ++row) {
+        vec4 found = alongA(row, a, tA, b, tB, c, tC);
+        if (found.w < 0.5)
+            return inHole();
+        vec3 f = vec3(found.x, found.y, found.z);
+        if (!tableIsMatrix)
+            return f * I;
+        float sum = dot(f, I);
+        if (row == 0)
+            seen.x = sum;
+        else if (row == 1)
+            seen.y = sum;
+        else
+            seen.z = sum;
+    }
+    return seen;
 }

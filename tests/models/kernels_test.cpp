@@ -100,8 +100,8 @@ TEST(Kernels, TheTailTestCatchesForgottenAndOverrunTails)
         floatKernels()[0].shade(values, whole);
     };
     EXPECT_EQ(differencesInTails({floatKernels()[0].shade, nullptr}, catalogue()[0]), 0U);
-    EXPECT_GT(differencesInTails({forgets, nullptr}, catalogue()[0]), 0U);
-    EXPECT_GT(differencesInTails({overruns, nullptr}, catalogue()[0]), 0U);
+    EXPECT_GT(differencesInTails({+forgets, nullptr}, catalogue()[0]), 0U);
+    EXPECT_GT(differencesInTails({+overruns, nullptr}, catalogue()[0]), 0U);
 }
 
 /// A light that tells where it comes from: red grows along x, green along y, blue along z.

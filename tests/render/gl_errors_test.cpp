@@ -19,6 +19,7 @@ TEST_P(GlErrors, ABrokenModelTextIsNamedByFileAndLine)
 {
     Model broken = **findModel("phong");
     broken.text.id = "broken";
+    broken.text.file = "shaders/reflectance/broken.glsl";
     const std::size_t place = broken.text.code.find("return gate(");
     const auto line = static_cast<long>(split(broken.text.code.substr(0, place), '\n').size());
     broken.text.code.replace(place, 12, "return gait(");

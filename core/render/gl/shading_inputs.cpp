@@ -14,6 +14,7 @@ ShadingInputs shadingInputsOf(const Scene& scene, const GlShading& how)
                          scene.background,
                          nullptr,
                          how};
+    inputs.how.lobe = inputs.requirements.lobe; // a model without a lobe has the same picture in every form of it
     if (inputs.requirements.table)
         inputs.table = scene.surface.table;
     const bool seen = inputs.requirements.environment || inputs.requirements.environmentBackground;

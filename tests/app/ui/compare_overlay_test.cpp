@@ -80,11 +80,11 @@ TEST(CompareOverlay, TheDividerFollowsTheHand)
 TEST(CompareOverlay, SaysInWordsWhatIsExactlyZero)
 {
     EXPECT_THAT(figuresText(std::nullopt), HasSubstr("measuring"));
-    DifferenceFigures figures{true, 10, 0.0, 0.0, 0.0, 0.0};
+    DifferenceFigures figures{true, 10, 0.0, 0.0, 0.0, 0.0, 0.0};
     EXPECT_THAT(figuresText(figures), HasSubstr("exactly equal"));
     figures.pixels = 0;
     EXPECT_THAT(figuresText(figures), HasSubstr("nothing to compare"));
-    figures = {false, 10, 0.0123, 0.5, std::nullopt, std::nullopt};
+    figures = {false, 10, 0.0123, 0.5, std::nullopt, std::nullopt, std::nullopt};
     EXPECT_THAT(figuresText(figures), HasSubstr("RMSE 0.0123, largest 0.5"));
     EXPECT_THAT(figuresText(figures), Not(HasSubstr("dE2000"))) << "not measured yet";
     figures.deltaEP95 = 12.0;

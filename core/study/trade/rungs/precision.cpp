@@ -9,7 +9,7 @@ Applied inPrecision(int precision, Recipe& recipe)
     return {};
 }
 
-/// A stored channel is off by at most 2^-11 of itself, whichever way the driver rounds, or by 2^-25 where it is subnormal.
+/// A stored channel is off by at most 2^-10 of itself, whichever way the driver rounds, or by 2^-24 where it is subnormal.
 /// The background is stored as well.
 Applied halfBuffer(int /*amount*/, Recipe& recipe)
 {
@@ -21,7 +21,7 @@ Applied halfBuffer(int /*amount*/, Recipe& recipe)
     const Vec3d& behind = recipe.scene.background.color;
     if (brightest && recipe.scene.background.kind == BackgroundKind::Plain &&
         !modelOf(recipe.scene).text.usesEnvironment)
-        applied.bound = 0x1p-11 * std::max({*brightest, behind.x, behind.y, behind.z}) + 0x1p-24;
+        applied.bound = 0x1p-10 * std::max({*brightest, behind.x, behind.y, behind.z}) + 0x1p-24;
     return applied;
 }
 
