@@ -71,7 +71,7 @@ RecordedStroke readStroke(ObjectReader& object)
     return stroke;
 }
 
-RecordedEvent readEvent(const Json& json, ObjectReader& object)
+RecordedEvent readEvent(const Json& json, const std::string& name, ObjectReader& object)
 {
     if (json.contains("key"))
         return readKey(object);
@@ -81,21 +81,22 @@ RecordedEvent readEvent(const Json& json, ObjectReader& object)
     if (json.contains("wheel"))
         object.read("wheel", wheel.steps, -1000.0, 1000.0);
     else
-        object.fail("an event is none of 'key', 'stroke', 'wheel' and 'edit'");
+        object.fail(name + " is none of 'key', 'stroke', 'wheel' and 'edit'");
     return wheel;
 }
 
 void readEvents(const Json& json, Recording& recording, std::optional<std::string>& problem)
 {
     for (const Json& event : json) {
-        ObjectReader object(event, "event " + std::to_string(recording.events.size() + 1), problem);
+        const std::string name = "event " + std::to_string(recording.events.size() + 1);
+        ObjectReader object(event, name, problem);
         if (problem)
             return;
         if (event.contains("edit")) {
             recording.events.emplace_back(RecordedEdit{event["edit"].dump()});
             continue;
         }
-        recording.events.push_back(readEvent(event, object));
+        recording.events.push_back(readEvent(event, name, object));
         object.finish();
     }
 }

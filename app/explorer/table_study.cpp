@@ -13,8 +13,9 @@ void renewMap(TablePage& page, const std::shared_ptr<const MeasuredTable>& table
     if (table != page.shown)
         page.facts.reset();
     page.shown = table;
-    page.map = !table ? HeatMap()
-                      : page.residual ? residualMap(table->table, page.settings) : valueMap(table->table, page.settings);
+    page.map = !table          ? HeatMap()
+               : page.residual ? residualMap(table->table, page.settings)
+                               : valueMap(table->table, page.settings);
 }
 
 void pollTableFacts(TablePage& page, Worker<TableFacts>& worker, std::shared_ptr<const MeasuredTable>& asked)

@@ -1,9 +1,9 @@
 // Runs the trade that the workbench asks for, and lays its pictures over the view.
 #pragma once
 
-#include "app/explorer/worker.h"
 #include "app/explorer/overlay_texture.h"
 #include "app/explorer/trade_study.h"
+#include "app/explorer/worker.h"
 #include "core/study/trade/trade_run.h"
 
 #include <memory>
@@ -38,11 +38,11 @@ struct Trades {
     Scene scene; ///< that is or was measured
     RenderSettings settings;
     std::unique_ptr<TradeRun> run; ///< kept after its end, for its truth and its workshop
-    Worker<TradeSteps> steps;  ///< works on `run`, which nobody else touches meanwhile
-    Worker<Image> picture;     ///< of a CPU candidate; works on `run`, too
+    Worker<TradeSteps> steps;      ///< works on `run`, which nobody else touches meanwhile
+    Worker<Image> picture;         ///< of a CPU candidate; works on `run`, too
     Worker<SufficientMap> map;
     Worker<TermBars> terms;
-    Worker<ErrorFigures> recheck;   ///< of the shown candidate, once a changed scene rests
+    Worker<ErrorFigures> recheck;       ///< of the shown candidate, once a changed scene rests
     std::uint64_t recheckedPicture = 0; ///< Viewport::pictures that it was asked of
     TradeLaid pictureOf, laid;          ///< what `picture` makes, and what is in `overlay`
     double mappedTolerance = -1.0;

@@ -2,9 +2,9 @@
 // an arithmetic keeps, pixel by pixel. On other threads, and given up at once when the hand moves.
 #pragma once
 
-#include "app/explorer/worker.h"
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/overlay_texture.h"
+#include "app/explorer/worker.h"
 #include "core/study/lens/gl_check.h"
 #include "core/study/lens/term.h"
 

@@ -27,8 +27,8 @@ enum class Mark { Line, Dots, LineAndDots };
 struct Series {
     std::string name; ///< in the legend; empty: not listed there
     ChartColor color = 0;
-    std::vector<double> x, y;         ///< as many of both; what is not finite interrupts the line
-    std::vector<double> spread = {};  ///< half the length of an error bar in y, for each point; empty: none
+    std::vector<double> x, y;        ///< as many of both; what is not finite interrupts the line
+    std::vector<double> spread = {}; ///< half the length of an error bar in y, for each point; empty: none
     Mark mark = Mark::Line;
     bool faint = false;                   ///< drawn behind and pale: dominated, unselected
     bool dashed = false;                  ///< what is a reference rather than a result
@@ -57,7 +57,8 @@ struct PolarChart {
         ChartColor color = 0;
         std::vector<double> angle, radius;
         bool faint = false;
-        std::vector<double> spread = {}; ///< half the length of an error bar along the radius, for each point; empty: none
+        std::vector<double> spread =
+            {}; ///< half the length of an error bar along the radius, for each point; empty: none
     };
     std::string title = {};
     std::string radiusLabel; ///< what the rings count

@@ -26,7 +26,8 @@ double PerceivedReference::deltaEAt(std::size_t pixel, const Image& test) const
 PerceivedDifference PerceivedReference::to(const Image& test) const
 {
     CHECK_EQ(test.pixels(), colours_.size());
-    std::future<double> flip = std::async(std::launch::async, [&] { return flip_.meanOf(test); }); // as long as the rest
+    std::future<double> flip =
+        std::async(std::launch::async, [&] { return flip_.meanOf(test); }); // as long as the rest
     std::vector<double> errors;
     errors.reserve(pixels_.size());
     for (const std::size_t pixel : pixels_)

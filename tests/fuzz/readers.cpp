@@ -1,8 +1,8 @@
 #include "tests/fuzz/readers.h"
 
 #include "core/image/picture_file.h"
-#include "core/scene/kept_picture.h"
 #include "core/reflectance/own_model.h"
+#include "core/scene/kept_picture.h"
 #include "core/scene/scene_file.h"
 #include "tests/fuzz/curve_readers.h"
 #include "tests/fuzz/promises.h"

@@ -55,9 +55,9 @@ TEST(VertexShading, IsShadingPerSampleOnAFlatTriangle)
     const Scene scene = triangleScene(0.0);
     const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, small);
     // One N, one L: the same value everywhere, up to the floats in which vertex colours and picture are kept.
-    EXPECT_LE(largestDifference(shadedAt(Place::Vertex, samples, scene),
-                                shadeSamples(samples, scene, Precision::Double)),
-              2e-7);
+    EXPECT_LE(
+        largestDifference(shadedAt(Place::Vertex, samples, scene), shadeSamples(samples, scene, Precision::Double)),
+        2e-7);
 }
 
 TEST(VertexShading, InterpolatesTheCornersLinearly)
@@ -94,9 +94,9 @@ TEST(VertexShading, GivesTheInsideItsOwnColours)
     scene.camera.eye = {0.0, 0.0, -4.0};
     scene.lights[0].direction = {0.0, 0.0, -1.0};
     const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, small);
-    EXPECT_LE(largestDifference(shadedAt(Place::Vertex, samples, scene),
-                                shadeSamples(samples, scene, Precision::Double)),
-              2e-7);
+    EXPECT_LE(
+        largestDifference(shadedAt(Place::Vertex, samples, scene), shadeSamples(samples, scene, Precision::Double)),
+        2e-7);
     EXPECT_GT(brightest(shadedAt(Place::Vertex, samples, scene)), 0.5); // kd = 0.8, lit from behind
 }
 

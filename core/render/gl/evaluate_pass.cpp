@@ -84,13 +84,14 @@ Result<std::vector<Vec3d>> EvaluatePass::run(const Model& model, std::span<const
     const bool hasTable = model.text.usesTable && table;
     const auto program =
         programs_.find(model.id() + (model.walked ? model.text.file + model.text.code : "") +
-                           (hasTable ? "+table" : "+") + std::string(factsOf(lobe).name), [&] {
-            std::vector<ShaderPiece> pieces = modelPieces(model.text, hasTable, lobe);
-            pieces.push_back(shaderFile("gl/no_surroundings.glsl"));
-            pieces.push_back(shaderFile("gl/evaluate.frag"));
-            return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
-                                   assembled({}, std::move(pieces)));
-        });
+                           (hasTable ? "+table" : "+") + std::string(factsOf(lobe).name),
+                       [&] {
+                           std::vector<ShaderPiece> pieces = modelPieces(model.text, hasTable, lobe);
+                           pieces.push_back(shaderFile("gl/no_surroundings.glsl"));
+                           pieces.push_back(shaderFile("gl/evaluate.frag"));
+                           return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+                                                  assembled({}, std::move(pieces)));
+                       });
     if (!program)
         return program.error();
     (*program)->use();

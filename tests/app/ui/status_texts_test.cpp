@@ -61,6 +61,7 @@ TEST(StatusLine, SaysWhatEachPrecisionCostsAndMisses)
 {
     ExplorerState state;
     state.scene.environment.kind = EnvironmentKind::None; // nothing left out
+    state.scene.surface.values["ks"] = {0.2, 0.3, 0.4};   // nor here, where ks is a colour and K full
     state.priceTags = {{"double", 41.2, 0.0, 0.0, -1, -1}, {"float", 22.1, 1.9e-6, 1e-8, 5, 7}};
     const auto parts = priceParts(state);
     ASSERT_EQ(parts.size(), 2U);

@@ -15,6 +15,8 @@ ExplorerState stateWithScene()
 {
     ExplorerState state;
     state.scene = defaultScene();
+    state.sensorStudy.waterfall =
+        Waterfall{{{"precision", 1e-9, 1e-7, 0.0}, {"encoding", 1e-3, 2e-3, 1.0}}, 1e-3, 2e-3};
     return state;
 }
 

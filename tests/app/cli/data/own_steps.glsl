@@ -3,7 +3,7 @@
 //! citation   none
 //! about      Light in four steps, to try what a text of one's own can say.
 //! reciprocal no: the steps follow the light
-//! passive    no: the factor lacks the cosine
+//! passive    yes, for steps <= 1
 uniform float steps = 1.0;
 //: label      Height
 //: slider     0 .. 1
