@@ -32,13 +32,15 @@ struct Ladder {
     std::vector<const Candidate*> singles;
 };
 
-/// Of every axis the cheapest rung within the level; one that costs no less than going without stays away.
+/// Of every axis the cheapest rung within the level; one that costs no less than going without stays away. The general path
+/// computes the same and more, so that only noise could choose it: it is timed alone, for comparison.
 std::map<RungAxis, const Candidate*> cheapestOfAxes(const Ladder& ladder, double level, Metric metric, Cost cost)
 {
     std::map<RungAxis, const Candidate*> chosen;
     for (const Candidate* single : ladder.singles) {
         const RungAxis axis = ownRung(single->recipe)->axis;
-        if (axis == RungAxis::Samples || changeOf(*single, metric) > level || single->cost(cost) >= ladder.baseCost)
+        if (axis == RungAxis::Samples || axis == RungAxis::Requirements || changeOf(*single, metric) > level ||
+            single->cost(cost) >= ladder.baseCost)
             continue;
         const Candidate*& best = chosen[axis];
         if (!best || single->cost(cost) < best->cost(cost))
