@@ -176,7 +176,8 @@ struct PartEntry {
 void soloButton(ExplorerState& state, const PartEntry& part)
 {
     const float width = points(48);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
     const bool alone = state.soloPart == part.id;
     if (toggleButton("alone", alone, {width, 0}))
         state.soloPart = alone ? "" : part.id;

@@ -11,12 +11,8 @@ foreach(index RANGE 1 ${CMAKE_ARGC})
   endif()
 endforeach()
 
+file(REMOVE_RECURSE "${FOLDER}") # what an earlier run left must not pass for this one's
 file(MAKE_DIRECTORY "${FOLDER}")
-foreach(file IN ITEMS "${MADE}" "${NOT_MADE}")
-  if(file)
-    file(REMOVE "${FOLDER}/${file}")
-  endif()
-endforeach()
 set(input "")
 if(INPUT)
   set(input INPUT_FILE "${INPUT}")
