@@ -156,6 +156,17 @@ double distanceAlong(const Mesh& mesh, std::size_t triangle, const Vec3d& eye, c
     return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 ? t : std::numeric_limits<double>::infinity();
 }
 
+std::string conventionOf(const Scene& scene, const Model& model)
+{
+    const auto& parameters = model.text.parameters;
+    if (std::none_of(parameters.begin(), parameters.end(),
+                     [](const Parameter& p) { return p.kind == ParameterKind::Matrix; }))
+        return {};
+    return scene.surface.convention == Convention::Sensor
+               ? "K and I in the sensor convention"
+               : "K and I in the sensor convention, turned into it by W from the primary convention of the scene";
+}
+
 } // namespace
 
 std::optional<ProbedPoint> pointAt(const Mesh& mesh, const Camera& camera, double x, double y, int width, int height)
@@ -181,6 +192,7 @@ Probe probeAt(const Scene& scene, const ProbedPoint& point)
     probe.point = point;
     probe.model = parts.model->text.name;
     probe.formula = parts.model->text.formula;
+    probe.convention = conventionOf(scene, *parts.model);
     const Vec3d toEye = scene.camera.eye - point.P;
     probe.V = normalized(toEye);
     probe.distance = length(toEye);

@@ -48,6 +48,7 @@ struct ProbedLight {
 struct Probe {
     ProbedPoint point;
     std::string model, formula; ///< for people
+    std::string convention;     ///< of the numbers in K, in words; empty for a model without K
     Vec3d V;
     double distance = 0.0; ///< to the eye
     double NV = 0.0;

@@ -56,7 +56,8 @@ std::string field(std::string text)
 std::string probeText(const Probe& probe)
 {
     std::string text = "pixel " + general(probe.point.x, 6) + ", " + general(probe.point.y, 6) + "   " + probe.model +
-                       "\n" + probe.formula + "\n\nLIGHT AND SURFACE\n";
+                       "\n" + probe.formula + "\n" + (probe.convention.empty() ? "" : probe.convention + "\n") +
+                       "\nLIGHT AND SURFACE\n";
     text += "  P            " + triple(probe.point.P) + "\n  N            " + triple(probe.point.N) +
             "\n  V            " + triple(probe.V) + "\n  N.V          " + general(probe.NV, 6) + "\n";
     for (const ProbedLight& light : probe.lights)
