@@ -1,7 +1,7 @@
 # The Debian package is built, read, unpacked and run; the archive is unpacked elsewhere and run.
 include("${CMAKE_CURRENT_LIST_DIR}/must.cmake")
 file(REMOVE_RECURSE "${SCRATCH}")
-file(MAKE_DIRECTORY "${SCRATCH}/root" "${SCRATCH}/archive")
+file(MAKE_DIRECTORY "${SCRATCH}/unpacked" "${SCRATCH}/archive")
 
 must("cpack" "${CMAKE_CPACK_COMMAND}" --config "${BUILD}/CPackConfig.cmake" -B "${SCRATCH}/made"
   -D CPACK_PACKAGE_DIRECTORY=${SCRATCH}/made -D CPACK_COMPONENTS_ALL=program)
@@ -28,18 +28,18 @@ if(out MATCHES "(^|\n)[^\n]*(/home/|/tmp/|/include/|\\.a\n)")
 endif()
 
 # Unpacked anywhere, both run and draw the same picture.
-must("dpkg-deb --extract" dpkg-deb --extract "${package}" "${SCRATCH}/root")
+must("dpkg-deb --extract" dpkg-deb --extract "${package}" "${SCRATCH}/unpacked")
 must("tar" tar xzf "${archive}" -C "${SCRATCH}/archive" --strip-components=1)
-foreach(program "${SCRATCH}/root/usr/bin/reflectance" "${SCRATCH}/archive/bin/reflectance")
+foreach(program "${SCRATCH}/unpacked/usr/bin/reflectance" "${SCRATCH}/archive/bin/reflectance")
   must("--version" "${program}" --version)
   says("--version" "reflectance ${VERSION}")
   must("render" "${program}" render --size 32x32 --backend cpu --out "${program}.exr")
 endforeach()
-must("compare" "${SCRATCH}/root/usr/bin/reflectance" compare "${SCRATCH}/root/usr/bin/reflectance.exr"
+must("compare" "${SCRATCH}/unpacked/usr/bin/reflectance" compare "${SCRATCH}/unpacked/usr/bin/reflectance.exr"
   "${SCRATCH}/archive/bin/reflectance.exr" --threshold 0)
 
 # The manual page names every verb and troff has nothing to complain of.
-must("gzip" gzip -dc "${SCRATCH}/root/usr/share/man/man1/reflectance.1.gz")
+must("gzip" gzip -dc "${SCRATCH}/unpacked/usr/share/man/man1/reflectance.1.gz")
 foreach(verb render eval models compare sweep "table info")
   says("the manual page" "\\.SS reflectance ${verb}\n")
 endforeach()
