@@ -1,5 +1,6 @@
 #include "app/cli/scene_options.h"
 
+#include "core/base/number_list.h"
 #include "core/base/text.h"
 #include "core/geometry/orbit_view.h"
 #include "core/scene/library_surface.h"
@@ -18,18 +19,6 @@ constexpr const char* lightHelp =
 constexpr const char* cameraHelp =
     "orbit=AZIMUTH,ELEVATION in degrees (0,0 looks along -z; the object fills the picture) or eye=X,Y,Z; then, each "
     "after a colon, target=X,Y,Z, up=X,Y,Z, fov=DEGREES";
-
-std::optional<std::vector<double>> numberList(std::string_view text)
-{
-    std::vector<double> numbers;
-    for (const std::string_view piece : split(text, ',')) {
-        const auto number = parseNumber(trimmed(piece));
-        if (!number || !std::isfinite(*number))
-            return std::nullopt;
-        numbers.push_back(*number);
-    }
-    return numbers;
-}
 
 std::optional<Vec3d> vector3(std::string_view text)
 {

@@ -1,5 +1,6 @@
 #include "core/sensor/fields.h"
 
+#include "core/base/number_list.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -16,14 +17,8 @@ std::string range(double low, double high)
 
 std::optional<std::vector<double>> numbersIn(std::string_view text, std::size_t count)
 {
-    std::vector<double> numbers;
-    for (const std::string_view piece : split(text, ',')) {
-        const auto number = parseNumber(trimmed(piece));
-        if (!number || !std::isfinite(*number))
-            return std::nullopt;
-        numbers.push_back(*number);
-    }
-    return numbers.size() == count ? std::optional(numbers) : std::nullopt;
+    auto numbers = numberList(text);
+    return numbers && numbers->size() == count ? numbers : std::nullopt;
 }
 
 /// Sets one field from text. `wanted` empty: the first.
