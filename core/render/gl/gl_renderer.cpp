@@ -52,9 +52,9 @@ void leaveState(const Gl& gl)
 } // namespace
 
 struct GlRenderer::State {
-    State(std::unique_ptr<GlFunctions> loaded, VisibilityPass first, SensorPass last)
+    State(std::unique_ptr<GlFunctions> loaded, VisibilityPass first)
         : functions(std::move(loaded)), mesh(functions->gl()), visibility(std::move(first)), shading(functions->gl()),
-          sensor(std::move(last)), reader(functions->gl())
+          sensor(functions->gl()), reader(functions->gl())
     {
     }
 
@@ -63,7 +63,7 @@ struct GlRenderer::State {
     void allocate(const RenderSettings& settings);
     [[nodiscard]] Result<void> see(const ViewInputs& view);
     [[nodiscard]] Result<void> shade(const ShadingInputs& inputs);
-    void develop(const Sensor& settings);
+    [[nodiscard]] Result<void> develop(const Sensor& settings);
     /// Runs the passes whose inputs changed.
     [[nodiscard]] Result<void> update(const Scene& scene, const RenderSettings& settings, const GlShading& how);
 
@@ -72,7 +72,7 @@ struct GlRenderer::State {
     {
         leaveState(functions->gl());
         work.tableUploads = shading.tableUploads();
-        work.programLinks = 3 + shading.programs() + (evaluation ? evaluation->programs() : 0);
+        work.programLinks = 2 + sensor.programs() + shading.programs() + (evaluation ? evaluation->programs() : 0);
         const auto complaint = functions->complaint();
         return done && !complaint ? Result<T>(complaint.error()) : std::move(done);
     }
@@ -156,11 +156,14 @@ Result<void> GlRenderer::State::shade(const ShadingInputs& inputs)
     return {};
 }
 
-void GlRenderer::State::develop(const Sensor& settings)
+Result<void> GlRenderer::State::develop(const Sensor& settings)
 {
-    sensor.draw(shading.linear(), settings);
+    developed.reset();
+    if (auto drawn = sensor.draw(shading.linear(), settings); !drawn)
+        return drawn;
     ++work.developments;
     developed = settings;
+    return {};
 }
 
 Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings& settings, const GlShading& how)
@@ -180,9 +183,7 @@ Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings&
         if (auto done = shade(inputs); !done)
             return done;
     }
-    if (developed != scene.sensor)
-        develop(scene.sensor);
-    return {};
+    return developed == scene.sensor ? Result<void>() : develop(scene.sensor);
 }
 
 GlRenderer::GlRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -199,10 +200,7 @@ Result<GlRenderer> GlRenderer::create(GetProcAddress load)
     auto visibility = VisibilityPass::create(gl);
     if (!visibility)
         return visibility.error();
-    auto sensor = SensorPass::create(gl);
-    if (!sensor)
-        return sensor.error();
-    auto state = std::make_unique<State>(*std::move(functions), *std::move(visibility), *std::move(sensor));
+    auto state = std::make_unique<State>(*std::move(functions), *std::move(visibility));
     if (auto quiet = state->closed(Result<void>()); !quiet)
         return quiet.error();
     return GlRenderer(std::move(state));
