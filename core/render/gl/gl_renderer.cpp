@@ -101,7 +101,7 @@ Result<void> GlRenderer::State::fits(const RenderSettings& s) const
     const long across = static_cast<long>(s.width) * s.samplesPerAxis;
     const long down = static_cast<long>(s.height) * s.samplesPerAxis;
     constexpr double bytesPerSample = 4 + 4 + 16 + 16; // triangle, depth, N, P
-    constexpr double bytesPerPixel = 16 + 4;           // linear, developed
+    constexpr double bytesPerPixel = 16 + 4 + 4;       // linear, its coverage, developed
     constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
     const double needed = static_cast<double>(across) * static_cast<double>(down) * bytesPerSample +
                           static_cast<double>(s.width) * s.height * bytesPerPixel;
@@ -140,6 +140,7 @@ Result<void> GlRenderer::State::see(const ViewInputs& view)
         ++work.meshUploads;
     }
     visibility.draw(mesh, view.camera, view.settings);
+    shading.samplesChanged();
     ++work.visibilities;
     seen = view;
     return {};

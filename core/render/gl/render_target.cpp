@@ -62,6 +62,14 @@ void RenderTarget::resize(int width, int height)
     height_ = height;
 }
 
+void RenderTarget::shareDepthOf(const RenderTarget& other)
+{
+    const Gl& gl = framebuffer_.gl();
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, other.depth_.front().id());
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 void RenderTarget::bind() const
 {
     framebuffer_.gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
