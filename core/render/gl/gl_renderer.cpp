@@ -52,9 +52,9 @@ void leaveState(const Gl& gl)
 } // namespace
 
 struct GlRenderer::State {
-    State(std::unique_ptr<GlFunctions> loaded, VisibilityPass first)
-        : functions(std::move(loaded)), mesh(functions->gl()), visibility(std::move(first)), shading(functions->gl()),
-          sensor(functions->gl()), reader(functions->gl())
+    State(std::unique_ptr<GlFunctions> loaded, std::unique_ptr<ProgramLinker> made, VisibilityPass first)
+        : functions(std::move(loaded)), linker(std::move(made)), mesh(functions->gl()), visibility(std::move(first)),
+          shading(*linker), sensor(*linker), reader(functions->gl())
     {
     }
 
@@ -73,11 +73,13 @@ struct GlRenderer::State {
         leaveState(functions->gl());
         work.tableUploads = shading.tableUploads();
         work.programLinks = 2 + sensor.programs() + shading.programs() + (evaluation ? evaluation->programs() : 0);
+        work.programsLoaded = linker->loaded();
         const auto complaint = functions->complaint();
         return done && !complaint ? Result<T>(complaint.error()) : std::move(done);
     }
 
     std::unique_ptr<GlFunctions> functions; // first in, last out: the passes return their names through it
+    std::unique_ptr<ProgramLinker> linker;  // the passes hold its address
     MeshBuffers mesh;
     VisibilityPass visibility;
     ShadingPass shading;
@@ -192,16 +194,16 @@ GlRenderer::GlRenderer(GlRenderer&&) noexcept = default;
 GlRenderer& GlRenderer::operator=(GlRenderer&&) noexcept = default;
 GlRenderer::~GlRenderer() = default;
 
-Result<GlRenderer> GlRenderer::create(GetProcAddress load)
+Result<GlRenderer> GlRenderer::create(GetProcAddress load, const std::filesystem::path& programs)
 {
     auto functions = GlFunctions::load(load);
     if (!functions)
         return functions.error();
-    const Gl& gl = (*functions)->gl();
-    auto visibility = VisibilityPass::create(gl);
+    auto linker = std::make_unique<ProgramLinker>((*functions)->gl(), programs);
+    auto visibility = VisibilityPass::create(*linker);
     if (!visibility)
         return visibility.error();
-    auto state = std::make_unique<State>(*std::move(functions), *std::move(visibility));
+    auto state = std::make_unique<State>(*std::move(functions), std::move(linker), *std::move(visibility));
     if (auto quiet = state->closed(Result<void>()); !quiet)
         return quiet.error();
     return GlRenderer(std::move(state));
@@ -254,7 +256,7 @@ Result<std::vector<Vec3d>> GlRenderer::evaluate(const Model& model, std::span<co
     State& s = *state_;
     prepareState(s.functions->gl());
     if (!s.evaluation)
-        s.evaluation.emplace(s.functions->gl());
+        s.evaluation.emplace(*s.linker);
     return s.closed(s.evaluation->run(model, values, rows, table, lobe));
 }
 

@@ -63,8 +63,9 @@ std::vector<ShaderPiece> sensorPieces(std::span<const Switch> switches)
 
 } // namespace
 
-SensorPass::SensorPass(const Gl& gl)
-    : gl_(&gl), developed_(gl, {GL_RGBA8}, WithDepth::No), noVertices_(gl), curveBuffer_(gl), curveTexture_(gl)
+SensorPass::SensorPass(ProgramLinker& linker)
+    : gl_(&linker.gl()), linker_(&linker), developed_(*gl_, {GL_RGBA8}, WithDepth::No), noVertices_(*gl_),
+      curveBuffer_(*gl_), curveTexture_(*gl_)
 {
 }
 
@@ -77,7 +78,7 @@ Result<const GlProgram*> SensorPass::programFor(const SensorInputs& inputs)
 {
     const auto switches = switchesOf(inputs);
     return programs_.find(keyOf(switches), [&] {
-        return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+        return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
                                assembled({}, sensorPieces(switches)));
     });
 }

@@ -10,7 +10,7 @@ namespace reflectance {
 
 class SensorPass {
 public:
-    explicit SensorPass(const Gl& gl);
+    explicit SensorPass(ProgramLinker& linker);
 
     void resize(const RenderSettings& settings);
     [[nodiscard]] Result<void> draw(const RenderTarget& linear, const Sensor& sensor);
@@ -24,6 +24,7 @@ private:
     void showCurve(const GlProgram& program, const Response& response);
 
     const Gl* gl_;
+    ProgramLinker* linker_;
     GlProgramCache programs_;
     RenderTarget developed_;
     GlVertexArray noVertices_;

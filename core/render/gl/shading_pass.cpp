@@ -47,8 +47,9 @@ ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place plac
 
 } // namespace
 
-ShadingPass::ShadingPass(const Gl& gl)
-    : gl_(&gl), linear_(gl, {GL_RGBA32F}, WithDepth::Yes), noVertices_(gl), lights_(gl), environmentMap_(gl), table_(gl)
+ShadingPass::ShadingPass(ProgramLinker& linker)
+    : gl_(&linker.gl()), linker_(&linker), linear_(*gl_, {GL_RGBA32F}, WithDepth::Yes), noVertices_(*gl_),
+      lights_(*gl_), environmentMap_(*gl_), table_(*gl_)
 {
 }
 
@@ -80,7 +81,7 @@ void ShadingPass::drawPicture() const
 Result<void> ShadingPass::cover(const RenderTarget& samples, const RenderSettings& settings)
 {
     const auto found = programs_.find("coverage", [&] {
-        return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+        return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
                                assembled({}, {shaderFile("gl/coverage.frag")}));
     });
     if (!found)
@@ -118,7 +119,7 @@ void ShadingPass::drawCovered(const Vec3d& background) const
 Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements, Place place)
 {
     return programs_.find(requirements.key() + (place == Place::Pixel ? "+once" : ""), [&]() -> Result<GlProgram> {
-        return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+        return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
                                sourceFor(requirements, requirements.modelUsed().text, place));
     });
 }

@@ -14,7 +14,7 @@ namespace reflectance {
 
 class ShadingPass {
 public:
-    explicit ShadingPass(const Gl& gl);
+    explicit ShadingPass(ProgramLinker& linker);
 
     void resize(const RenderSettings& settings);
     /// The next draw has other samples than the last one.
@@ -39,6 +39,7 @@ private:
     [[nodiscard]] Result<void> setEnvironment(const GlProgram& program, const ShadingInputs& inputs);
 
     const Gl* gl_;
+    ProgramLinker* linker_;
     RenderTarget linear_;
     bool halfBuffer_ = false; ///< of linear_
     bool covered_ = false;    ///< the depths of linear_ tell which pixels see something

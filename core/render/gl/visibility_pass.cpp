@@ -14,17 +14,17 @@ VisibilityPass::VisibilityPass(const Gl& gl, GlProgram rasterising, GlProgram lo
     surface_.shareDepthOf(triangles_);
 }
 
-Result<VisibilityPass> VisibilityPass::create(const Gl& gl)
+Result<VisibilityPass> VisibilityPass::create(ProgramLinker& linker)
 {
-    auto rasterising = GlProgram::link(gl, assembled({}, {shaderFile("gl/visibility.vert")}),
+    auto rasterising = GlProgram::link(linker, assembled({}, {shaderFile("gl/visibility.vert")}),
                                        assembled({}, {shaderFile("gl/visibility.frag")}));
     if (!rasterising)
         return rasterising.error();
-    auto locating = GlProgram::link(gl, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+    auto locating = GlProgram::link(linker, assembled({}, {shaderFile("gl/fullscreen.vert")}),
                                     assembled({}, {shaderFile("gl/rays.glsl"), shaderFile("gl/surface.frag")}));
     if (!locating)
         return locating.error();
-    return VisibilityPass(gl, *std::move(rasterising), *std::move(locating));
+    return VisibilityPass(linker.gl(), *std::move(rasterising), *std::move(locating));
 }
 
 void VisibilityPass::resize(const RenderSettings& settings)
