@@ -33,7 +33,7 @@ template <class T> void shadeByPow(const double* values, const ShadeBatch<T>& ba
     }
 }
 
-template <class T> using Shade = void (*)(const double*, const ShadeBatch<T>&);
+template <class T> using Shade = KernelCode<ShadeBatch<T>>;
 
 template <class T>
 void run(benchmark::State& state, const ParameterValues& named, const std::string& model, Shade<T> shade)
@@ -67,8 +67,8 @@ void add(const std::string& name, const ParameterValues& values, const std::stri
 const bool registered = [] {
     const Model& hybrid = modelNamed("hybrid");
     const Kernels& oneKs = hybrid.with(SpecialForm{MatrixForm::Full, ColorForm::One, false});
-    add<double>("hybrid/pow/double", hybridValues, "hybrid", shadeByPow<double>);
-    add<float>("hybrid/pow/float", hybridValues, "hybrid", shadeByPow<float>);
+    add<double>("hybrid/pow/double", hybridValues, "hybrid", Shade<double>(shadeByPow<double>));
+    add<float>("hybrid/pow/float", hybridValues, "hybrid", Shade<float>(shadeByPow<float>));
     add<double>("hybrid/kernel/double", hybridValues, "hybrid", hybrid.exact.shade);
     add<float>("hybrid/kernel/float", hybridValues, "hybrid", hybrid.single.shade);
     add<float>("hybrid/kernel/simd", hybridValues, "hybrid", hybrid.lanes.shade);
@@ -76,7 +76,7 @@ const bool registered = [] {
     add<double>("hybrid/one_ks/double", hybridValues, "hybrid", oneKs.exact.shade);
     add<float>("hybrid/one_ks/simd", hybridValues, "hybrid", oneKs.lanes.shade);
     if (std::strcmp(lanesName(), "avx2") == 0)
-        add<float>("hybrid/yardstick/avx2", hybridValues, "hybrid", yardstickHybrid);
+        add<float>("hybrid/yardstick/avx2", hybridValues, "hybrid", Shade<float>(yardstickHybrid));
     for (const LobeFormFacts& facts : lobeForms().subspan(1)) // a whole n, for squarings
         add<float>("hybrid/" + std::string(facts.name) + "/simd", {{"n", {37.0}}}, "hybrid",
                    hybrid.with(facts.form).lanes.shade);
