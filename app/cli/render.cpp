@@ -48,6 +48,8 @@ nlohmann::ordered_json report(const Options& options, const Scene& scene, const 
                                    {"left_out", options.general ? std::vector<std::string>() : leftOut(scene)}};
     if (rendered.generalMilliseconds > 0.0)
         figures["general_shading_ms"] = rendered.generalMilliseconds;
+    if (rendered.leftOutBytes > 0)
+        figures["left_out_bytes"] = rendered.leftOutBytes;
     if (waterfall)
         figures["waterfall"] = waterfallReport(*waterfall);
     return figures;

@@ -1,6 +1,11 @@
 // Shades the kept samples of one pixel and averages them: the lecture's sum over the lights. Linear, never clamped.
 uniform sampler2D normals;   // N, hit flag
+#ifdef POSITIONS
 uniform sampler2D positions; // P
+vec3 positionAt(ivec2 texel) { return texelFetch(positions, texel, 0).xyz; }
+#else
+vec3 positionAt(ivec2 texel) { return vec3(0.0); } // nobody asks
+#endif
 uniform int samplesPerAxis;
 uniform int lightCount;
 uniform vec3 eye;
@@ -50,7 +55,7 @@ vec3 shadeMiddle(ivec2 first, int hits)
             ivec2 texel = first + ivec2(i, j);
             vec4 normalAndHit = texelFetch(normals, texel, 0);
             if (normalAndHit.w > 0.0 && before-- == 0)
-                return shadeSample(normalAndHit.xyz, texelFetch(positions, texel, 0).xyz);
+                return shadeSample(normalAndHit.xyz, positionAt(texel));
         }
     return vec3(0.0);
 }
@@ -67,7 +72,7 @@ void main()
             vec4 normalAndHit = texelFetch(normals, texel, 0);
             if (normalAndHit.w > 0.0) {
 #ifndef ONCE_PER_PIXEL
-                sum += shadeSample(normalAndHit.xyz, texelFetch(positions, texel, 0).xyz);
+                sum += shadeSample(normalAndHit.xyz, positionAt(texel));
 #endif
                 hits += 1.0;
             } else {

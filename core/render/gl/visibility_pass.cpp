@@ -9,7 +9,7 @@ namespace reflectance {
 
 VisibilityPass::VisibilityPass(const Gl& gl, GlProgram rasterising, GlProgram locating)
     : gl_(&gl), rasterising_(std::move(rasterising)), locating_(std::move(locating)),
-      triangles_(gl, {GL_R32UI}, WithDepth::Yes), surface_(gl, {GL_RGBA32F, GL_RGBA32F}, WithDepth::No), noVertices_(gl)
+      triangles_(gl, {GL_R32UI}, WithDepth::Yes), surface_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl)
 {
 }
 
@@ -34,10 +34,28 @@ void VisibilityPass::resize(const RenderSettings& settings)
     surface_.resize(width, height);
 }
 
+void VisibilityPass::keepPositions()
+{
+    const int width = surface_.width();
+    const int height = surface_.height();
+    surface_ = RenderTarget(*gl_, {GL_RGBA32F, GL_RGBA32F}, WithDepth::No);
+    if (width > 0)
+        surface_.resize(width, height);
+}
+
+RenderTarget VisibilityPass::located(const MeshBuffers& mesh, const Camera& camera,
+                                     const RenderSettings& settings) const
+{
+    RenderTarget surface(*gl_, {GL_RGBA32F, GL_RGBA32F}, WithDepth::No);
+    surface.resize(surface_.width(), surface_.height());
+    locate(mesh, camera, settings, surface);
+    return surface;
+}
+
 void VisibilityPass::draw(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings) const
 {
     rasterise(mesh, camera);
-    locate(mesh, camera, settings);
+    locate(mesh, camera, settings, surface_);
 }
 
 void VisibilityPass::rasterise(const MeshBuffers& mesh, const Camera& camera) const
@@ -58,7 +76,8 @@ void VisibilityPass::rasterise(const MeshBuffers& mesh, const Camera& camera) co
     gl_->Disable(GL_DEPTH_TEST);
 }
 
-void VisibilityPass::locate(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings) const
+void VisibilityPass::locate(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings,
+                            const RenderTarget& surface) const
 {
     enum Unit { Triangles, Corners, Vertices };
     locating_.use();
@@ -70,7 +89,7 @@ void VisibilityPass::locate(const MeshBuffers& mesh, const Camera& camera, const
     locating_.set("vertices", Unit::Vertices);
     locating_.set("eye", camera.eye);
     setRays(locating_, camera, settings);
-    surface_.bind();
+    surface.bind();
     gl_->BindVertexArray(noVertices_.id());
     gl_->DrawArrays(GL_TRIANGLES, 0, 3);
 }

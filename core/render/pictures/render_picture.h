@@ -8,6 +8,7 @@
 #include "core/render/settings.h"
 #include "core/scene/scene.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -33,6 +34,7 @@ struct Rendered {
     double firstFrameMilliseconds = 0.0; ///< visibility and shading, from nothing
     double shadingMilliseconds = 0.0;    ///< shading again: the median of the frames after the first; 0 for one frame
     double generalMilliseconds = 0.0;    ///< the same by the general path; 0 where it was not timed
+    std::uint64_t leftOutBytes = 0;      ///< of textures that the scene does not require
 };
 
 /// `progress` lets another thread watch and stop the CPU renderer; the Error then says that it was stopped.
