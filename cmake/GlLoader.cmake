@@ -7,7 +7,7 @@ endif()
 
 set(glad_folder "${PROJECT_BINARY_DIR}/glad")
 add_custom_command(OUTPUT "${glad_folder}/include/glad/gl.h"
-  COMMAND "${GLAD_PROGRAM}" --api gl:core=3.3 --extensions GL_KHR_debug --out-path "${glad_folder}" --reproducible --quiet
+  COMMAND "${GLAD_PROGRAM}" --api gl:core=3.3 --extensions GL_KHR_debug,GL_ARB_get_program_binary --out-path "${glad_folder}" --reproducible --quiet
           c --mx --header-only > "${PROJECT_BINARY_DIR}/glad.log" 2>&1
   DEPENDS "${CMAKE_CURRENT_LIST_FILE}"
   COMMENT "Making the OpenGL loader")

@@ -3,7 +3,7 @@ option(REFLECTANCE_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
 option(REFLECTANCE_SANITIZE "Build with the address and undefined behaviour sanitizers" OFF)
 option(REFLECTANCE_FUZZ "Build the libFuzzer programs of the readers (Clang only)" OFF)
 option(REFLECTANCE_COVERAGE "Build for coverage reports" OFF)
-option(REFLECTANCE_BENCHMARKS "Build the benchmarks (Google Benchmark)" OFF)
+option(REFLECTANCE_BENCHMARKS "Build the benchmarks (Google Benchmark)" ON)
 
 add_library(reflectance_options INTERFACE)
 include(GNUInstallDirs)

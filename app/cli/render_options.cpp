@@ -1,5 +1,7 @@
 #include "app/cli/render_options.h"
 
+#include "app/explorer/user_folders.h"
+
 namespace reflectance::cli {
 namespace {
 
@@ -19,6 +21,7 @@ Result<RenderPlan> planFrom(const RenderOptions& options)
     RenderPlan plan;
     plan.backend = options.backend == "gl" ? Backend::Gl : options.backend == "cpu" ? Backend::Cpu : Backend::Auto;
     plan.context = contextNamed(options.context);
+    plan.programs = explorer::programsFolder();
     plan.frames = options.frames;
     plan.place = options.shading == "vertex" ? Place::Vertex
                  : options.shading == "face" ? Place::Face

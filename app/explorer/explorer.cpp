@@ -294,7 +294,7 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
     Result<Window> window = Window::open(start.windowWidth, start.windowHeight, start.interfaceScale);
     if (!window)
         return window.error();
-    Result<GlRenderer> renderer = GlRenderer::create(Window::loader());
+    Result<GlRenderer> renderer = GlRenderer::create(Window::loader(), programsFolder());
     if (!renderer)
         return renderer.error();
 

@@ -1,6 +1,7 @@
 #include "app/explorer/study_renderer.h"
 
 #include "app/explorer/session.h"
+#include "app/explorer/user_folders.h"
 
 namespace reflectance::explorer {
 
@@ -8,7 +9,7 @@ GlRenderer* studyRenderer(Session& session)
 {
     if (session.bench)
         return &*session.bench;
-    Result<GlRenderer> made = GlRenderer::create(Window::loader());
+    Result<GlRenderer> made = GlRenderer::create(Window::loader(), programsFolder());
     if (!made) {
         session.state.message = Message{made.error().sentence(), true};
         return nullptr;

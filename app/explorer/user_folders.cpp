@@ -63,6 +63,12 @@ fs::path stateFolder()
     return state.empty() ? state : state / "reflectance";
 }
 
+fs::path programsFolder()
+{
+    const fs::path cache = baseFolder("XDG_CACHE_HOME", ".cache");
+    return cache.empty() ? cache : cache / "reflectance" / "programs";
+}
+
 fs::path picturesFolderIn(std::string_view userDirs, const std::string& home)
 {
     for (std::string_view line : split(userDirs, '\n')) {

@@ -13,6 +13,10 @@ namespace reflectance::explorer {
 /// $XDG_STATE_HOME or ~/.local/state, with "reflectance" below it; empty without a home.
 [[nodiscard]] std::filesystem::path stateFolder();
 
+/// Linked shader programs from one start to the next: $XDG_CACHE_HOME or ~/.cache, with "reflectance/programs" below it;
+/// empty without a home.
+[[nodiscard]] std::filesystem::path programsFolder();
+
 /// The user's pictures: XDG_PICTURES_DIR of user-dirs.dirs, else ~/Pictures if it is there, else home, else here.
 [[nodiscard]] std::filesystem::path picturesFolder();
 

@@ -1,4 +1,6 @@
 // Shades the kept samples of one pixel and averages them: the lecture's sum over the lights. Linear, never clamped.
+// Loops ask at their end: a software driver runs the body of a loop that asks at its head once more, masked, and here the
+// bodies stand in each other.
 uniform sampler2D normals;   // N, hit flag
 #ifdef POSITIONS
 uniform sampler2D positions; // P
@@ -21,10 +23,11 @@ vec3 shadeSample(vec3 N, vec3 P)
     tableHoles = 0.0;
 #endif
 #if defined(DIRECTIONAL_LIGHTS) || defined(POINT_LIGHTS)
-    for (int light = 0; light < lightCount; ++light) {
+    int light = 0; // there is at least one
+    do {
         arrive(light, P);
         sum += shade(N, L, V, I);
-    }
+    } while (++light < lightCount);
 #endif
 #ifdef ENVIRONMENT
     sum += shadeEnvironment(N, V);
@@ -50,14 +53,16 @@ vec3 backgroundAt(ivec2 texel)
 vec3 shadeMiddle(ivec2 first, int hits)
 {
     int before = hits / 2;
-    for (int j = samplesPerAxis - 1; j >= 0; --j)
-        for (int i = 0; i < samplesPerAxis; ++i) {
-            ivec2 texel = first + ivec2(i, j);
-            vec4 normalAndHit = texelFetch(normals, texel, 0);
-            if (normalAndHit.w > 0.0 && before-- == 0)
-                return shadeSample(normalAndHit.xyz, positionAt(texel));
-        }
-    return vec3(0.0);
+    ivec2 middle = first;
+    ivec2 at = ivec2(0, samplesPerAxis - 1);
+    do {
+        if (texelFetch(normals, first + at, 0).w > 0.0 && before-- == 0)
+            middle = first + at;
+        at.x += 1;
+        if (at.x == samplesPerAxis)
+            at = ivec2(0, at.y - 1);
+    } while (at.y >= 0);
+    return shadeSample(texelFetch(normals, middle, 0).xyz, positionAt(middle));
 }
 #endif
 
@@ -66,19 +71,22 @@ void main()
     ivec2 first = ivec2(gl_FragCoord.xy) * samplesPerAxis;
     vec3 sum = vec3(0.0);
     float hits = 0.0;
-    for (int j = 0; j < samplesPerAxis; ++j)
-        for (int i = 0; i < samplesPerAxis; ++i) {
-            ivec2 texel = first + ivec2(i, j);
-            vec4 normalAndHit = texelFetch(normals, texel, 0);
-            if (normalAndHit.w > 0.0) {
+    ivec2 at = ivec2(0);
+    do {
+        ivec2 texel = first + at;
+        vec4 normalAndHit = texelFetch(normals, texel, 0);
+        if (normalAndHit.w > 0.0) {
 #ifndef ONCE_PER_PIXEL
-                sum += shadeSample(normalAndHit.xyz, positionAt(texel));
+            sum += shadeSample(normalAndHit.xyz, positionAt(texel));
 #endif
-                hits += 1.0;
-            } else {
-                sum += backgroundAt(texel);
-            }
+            hits += 1.0;
+        } else {
+            sum += backgroundAt(texel);
         }
+        at.x += 1;
+        if (at.x == samplesPerAxis)
+            at = ivec2(0, at.y + 1);
+    } while (at.y < samplesPerAxis);
 #ifdef ONCE_PER_PIXEL
     if (hits > 0.0)
         sum += hits * shadeMiddle(first, int(hits));

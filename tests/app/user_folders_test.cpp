@@ -30,6 +30,8 @@ TEST(UserFolders, FollowTheEnvironment)
     ::unsetenv("XDG_STATE_HOME");
     EXPECT_EQ(settingsFolder(), home.path / ".config" / "reflectance");
     EXPECT_EQ(stateFolder(), home.path / ".local" / "state" / "reflectance");
+    ::unsetenv("XDG_CACHE_HOME");
+    EXPECT_EQ(programsFolder(), home.path / ".cache" / "reflectance" / "programs");
     ::setenv("XDG_STATE_HOME", "/var/state", 1);
     EXPECT_EQ(stateFolder(), fs::path("/var/state/reflectance"));
     EXPECT_EQ(picturesFolder(), home.path);

@@ -68,7 +68,8 @@ class Explorer:
         self.home = home
         self.mesh = mesh
         self.environment = dict(os.environ, DISPLAY=display.name, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"),
-                                XDG_STATE_HOME=str(home / "state"), LIBGL_ALWAYS_SOFTWARE="1")
+                                XDG_STATE_HOME=str(home / "state"), XDG_CACHE_HOME=str(home / "cache"),
+                                LIBGL_ALWAYS_SOFTWARE="1")
         self.process = subprocess.Popen([program, argument], cwd="/", env=self.environment)
         wait_for(self.window, f"the window appears and shows {mesh}")
 

@@ -90,7 +90,8 @@ GlProgram linked(const Gl& gl, const Scene& scene, const ShaderSource& vertex, c
     pieces.push_back(shaderFile("gl/no_surroundings.glsl"));
     pieces.push_back(shaderFile("gl/arrival.glsl"));
     pieces.push_back({"forward", std::string(common) + main});
-    return orStop(GlProgram::link(gl, vertex, assembled(defines, std::move(pieces))));
+    ProgramLinker linker(gl);
+    return orStop(GlProgram::link(linker, vertex, assembled(defines, std::move(pieces))));
 }
 
 std::vector<float> interleaved(const Mesh& mesh)

@@ -15,14 +15,14 @@ protected:
     void SetUp() override { startAnew(); }
 
     /// A context and a renderer that has drawn nothing yet.
-    void startAnew()
+    void startAnew(const std::filesystem::path& programs = {})
     {
         renderer_.reset();
         context_.reset();
         auto context = openHeadless(GetParam());
         ASSERT_TRUE(context) << context.error().sentence();
         context_ = *std::move(context);
-        auto renderer = GlRenderer::create(context_->loader());
+        auto renderer = GlRenderer::create(context_->loader(), programs);
         ASSERT_TRUE(renderer) << renderer.error().sentence();
         renderer_.emplace(*std::move(renderer));
     }

@@ -41,11 +41,11 @@ protected:
     }
 };
 
-/// Four programs: two for visibility, one for the sensor, one for what the scene requires.
+/// Five programs: two for visibility, one for the pixels covered, one for what the scene requires, one for the sensor.
 TEST_P(GlWorkCounts, AFirstPictureDoesEverythingOnce)
 {
     render(twoLightScene("hybrid"), small);
-    EXPECT_EQ(figures(renderer().work()), (Figures{1, 1, 1, 1, 4, 1}));
+    EXPECT_EQ(figures(renderer().work()), (Figures{1, 1, 1, 1, 5, 1}));
 }
 
 TEST_P(GlWorkCounts, EachChangeCausesItsOwnWorkAlone)
@@ -57,6 +57,7 @@ TEST_P(GlWorkCounts, EachChangeCausesItsOwnWorkAlone)
         {"a slider", [](Scene& s) { s.surface.values["n"] = {77.0}; }, shadingOnly},
         {"a value that this model does not have", [](Scene& s) { s.surface.values["kd"] = {0.3}; }, nothing},
         {"a light's direction", [](Scene& s) { s.lights[0].direction.x = 0.9; }, shadingOnly},
+        {"a part of the sensor", [](Scene& s) { s.sensor.noise.on = true; }, {0, 0, 0, 1, 1, 0}},
         {"a light's name", [](Scene& s) { s.lights[0].name = "renamed"; }, nothing},
         {"a further light of a known kind", [](Scene& s) { s.lights.push_back(s.lights[0]); }, shadingOnly},
         {"the plain background", [](Scene& s) { s.background.color.x = 0.5; }, shadingOnly},
@@ -88,7 +89,7 @@ TEST_P(GlWorkCounts, AProgramOnceLinkedIsKept)
         scene.surface.model = model;
         render(scene, small);
     }
-    EXPECT_EQ(renderer().work().programLinks, 3U + 3U);
+    EXPECT_EQ(renderer().work().programLinks, 4U + 3U);
     EXPECT_EQ(renderer().work().shadings, 6U);
 }
 
@@ -99,19 +100,19 @@ TEST_P(GlWorkCounts, PositionsAreKeptOnceSomethingAsksForThem)
     Scene scene = twoLightScene("lambert_color");
     scene.lights.pop_back(); // the near one
     render(scene, small);
-    EXPECT_EQ(renderer().work().targetBytes, samples * (4 + 4 + 16) + pixels * (16 + 4));
+    EXPECT_EQ(renderer().work().targetBytes, samples * (4 + 4 + 16) + pixels * (16 + 4 + 4));
     const ViewSamples read = renderer().readSamples(); // are those of the view, P included
     scene.surface.model = "hybrid";
     render(scene, small);
-    EXPECT_EQ(figures(renderer().work()), (Figures{1, 2, 2, 2, 5, 2}));
-    EXPECT_EQ(renderer().work().targetBytes, samples * (4 + 4 + 16 + 16) + pixels * (16 + 4));
+    EXPECT_EQ(figures(renderer().work()), (Figures{1, 2, 2, 2, 6, 2}));
+    EXPECT_EQ(renderer().work().targetBytes, samples * (4 + 4 + 16 + 16) + pixels * (16 + 4 + 4));
     EXPECT_EQ(read.Px, renderer().readSamples().Px);
     EXPECT_NE(read.Px, std::vector<double>(read.Px.size(), 0.0));
     scene.surface.model = "lambert_color";
     render(scene, small);
     scene.surface.model = "hybrid";
     render(scene, small);
-    EXPECT_EQ(figures(renderer().work()), (Figures{1, 2, 4, 4, 5, 2}));
+    EXPECT_EQ(figures(renderer().work()), (Figures{1, 2, 4, 4, 6, 2}));
 }
 
 TEST_P(GlWorkCounts, BytesAreUploadedOnceAndOnlyThoseOfWhatChanged)
@@ -138,7 +139,7 @@ TEST_P(GlWorkCounts, ADragOfASliderOnlyShades)
         scene.surface.values["ks"] = {0.01 * step};
         render(scene, small);
     }
-    EXPECT_EQ(figures(renderer().work()), (Figures{1, 1, 51, 51, 4, 1}));
+    EXPECT_EQ(figures(renderer().work()), (Figures{1, 1, 51, 51, 5, 1}));
 }
 
 TEST_P(GlWorkCounts, ShadesAgainWhenAsked)
@@ -147,7 +148,7 @@ TEST_P(GlWorkCounts, ShadesAgainWhenAsked)
     render(scene, small);
     renderer().invalidateShading();
     render(scene, small);
-    EXPECT_EQ(figures(renderer().work()), (Figures{1, 1, 2, 2, 4, 1}));
+    EXPECT_EQ(figures(renderer().work()), (Figures{1, 1, 2, 2, 5, 1}));
 }
 
 IN_EVERY_CONTEXT(GlWorkCounts);

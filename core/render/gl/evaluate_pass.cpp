@@ -37,18 +37,19 @@ struct EvaluatePass::Grid {
     }
 };
 
-EvaluatePass::EvaluatePass(const Gl& gl)
-    : gl_(&gl), noVertices_(gl),
-      result_(gl, {GL_RGBA32F}, WithDepth::No), inputs_{GlTexture(gl), GlTexture(gl), GlTexture(gl), GlTexture(gl)},
-      table_(gl)
+EvaluatePass::EvaluatePass(ProgramLinker& linker)
+    : gl_(&linker.gl()), linker_(&linker), noVertices_(*gl_),
+      result_(*gl_, {GL_RGBA32F}, WithDepth::No), inputs_{GlTexture(*gl_), GlTexture(*gl_), GlTexture(*gl_),
+                                                          GlTexture(*gl_)},
+      table_(*gl_)
 {
     result_.resize(gridWidth, gridHeight);
     for (const GlTexture& input : inputs_) {
-        gl.BindTexture(GL_TEXTURE_2D, input.id());
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, gridWidth, gridHeight, 0, GL_RGBA, GL_FLOAT, nullptr);
+        gl_->BindTexture(GL_TEXTURE_2D, input.id());
+        gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, gridWidth, gridHeight, 0, GL_RGBA, GL_FLOAT, nullptr);
     }
 }
 
@@ -89,7 +90,7 @@ Result<std::vector<Vec3d>> EvaluatePass::run(const Model& model, std::span<const
                            std::vector<ShaderPiece> pieces = modelPieces(model.text, hasTable, lobe);
                            pieces.push_back(shaderFile("gl/no_surroundings.glsl"));
                            pieces.push_back(shaderFile("gl/evaluate.frag"));
-                           return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+                           return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
                                                   assembled({}, std::move(pieces)));
                        });
     if (!program)

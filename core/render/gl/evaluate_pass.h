@@ -15,7 +15,7 @@ namespace reflectance {
 
 class EvaluatePass {
 public:
-    explicit EvaluatePass(const Gl& gl);
+    explicit EvaluatePass(ProgramLinker& linker);
 
     /// As reflectance::evaluate: directions are normalised in double and rounded once, then all is float, the sum over
     /// a row's lights too.
@@ -31,6 +31,7 @@ private:
     void drawChunk(const GlProgram& program, Grid& grid, std::vector<Vec3f>& totals) const;
 
     const Gl* gl_;
+    ProgramLinker* linker_;
     GlVertexArray noVertices_;
     RenderTarget result_;
     GlTexture inputs_[4];

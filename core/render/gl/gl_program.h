@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/math/vec.h"
-#include "core/render/gl/gl_objects.h"
-#include "core/render/gl/shader_source.h"
+#include "core/render/gl/program_linker.h"
 
 #include <array>
 #include <functional>
@@ -15,7 +14,8 @@ namespace reflectance {
 
 class GlProgram {
 public:
-    [[nodiscard]] static Result<GlProgram> link(const Gl& gl, const ShaderSource& vertex, const ShaderSource& fragment);
+    [[nodiscard]] static Result<GlProgram> link(ProgramLinker& linker, const ShaderSource& vertex,
+                                                const ShaderSource& fragment);
 
     void use() const { program_.gl().UseProgram(program_.id()); }
 

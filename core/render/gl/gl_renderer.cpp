@@ -52,9 +52,9 @@ void leaveState(const Gl& gl)
 } // namespace
 
 struct GlRenderer::State {
-    State(std::unique_ptr<GlFunctions> loaded, VisibilityPass first, SensorPass last)
-        : functions(std::move(loaded)), mesh(functions->gl()), visibility(std::move(first)), shading(functions->gl()),
-          sensor(std::move(last)), reader(functions->gl())
+    State(std::unique_ptr<GlFunctions> loaded, std::unique_ptr<ProgramLinker> made, VisibilityPass first)
+        : functions(std::move(loaded)), linker(std::move(made)), mesh(functions->gl()), visibility(std::move(first)),
+          shading(*linker), sensor(*linker), reader(functions->gl())
     {
     }
 
@@ -63,7 +63,7 @@ struct GlRenderer::State {
     void allocate(const RenderSettings& settings);
     [[nodiscard]] Result<void> see(const ViewInputs& view);
     [[nodiscard]] Result<void> shade(const ShadingInputs& inputs);
-    void develop(const Sensor& settings);
+    [[nodiscard]] Result<void> develop(const Sensor& settings);
     /// Runs the passes whose inputs changed.
     [[nodiscard]] Result<void> update(const Scene& scene, const RenderSettings& settings, const GlShading& how);
 
@@ -74,12 +74,14 @@ struct GlRenderer::State {
         work.tableUploads = shading.tableUploads();
         work.uploadedBytes = meshBytes + shading.uploadedBytes();
         work.targetBytes = visibility.bytes() + shading.linear().bytes() + sensor.developed().bytes();
-        work.programLinks = 3 + shading.programs() + (evaluation ? evaluation->programs() : 0);
+        work.programLinks = 2 + sensor.programs() + shading.programs() + (evaluation ? evaluation->programs() : 0);
+        work.programsLoaded = linker->loaded();
         const auto complaint = functions->complaint();
         return done && !complaint ? Result<T>(complaint.error()) : std::move(done);
     }
 
     std::unique_ptr<GlFunctions> functions; // first in, last out: the passes return their names through it
+    std::unique_ptr<ProgramLinker> linker;  // the passes hold its address
     MeshBuffers mesh;
     VisibilityPass visibility;
     ShadingPass shading;
@@ -104,7 +106,7 @@ Result<void> GlRenderer::State::fits(const RenderSettings& s) const
     const long across = static_cast<long>(s.width) * s.samplesPerAxis;
     const long down = static_cast<long>(s.height) * s.samplesPerAxis;
     constexpr double bytesPerSample = 4 + 4 + 16 + 16; // triangle, depth, N, P
-    constexpr double bytesPerPixel = 16 + 4;           // linear, developed
+    constexpr double bytesPerPixel = 16 + 4 + 4;       // linear, its coverage, developed
     constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
     const double needed = static_cast<double>(across) * static_cast<double>(down) * bytesPerSample +
                           static_cast<double>(s.width) * s.height * bytesPerPixel;
@@ -144,6 +146,7 @@ Result<void> GlRenderer::State::see(const ViewInputs& view)
         ++work.meshUploads;
     }
     visibility.draw(mesh, view.camera, view.settings);
+    shading.samplesChanged();
     ++work.visibilities;
     seen = view;
     return {};
@@ -160,11 +163,14 @@ Result<void> GlRenderer::State::shade(const ShadingInputs& inputs)
     return {};
 }
 
-void GlRenderer::State::develop(const Sensor& settings)
+Result<void> GlRenderer::State::develop(const Sensor& settings)
 {
-    sensor.draw(shading.linear(), settings);
+    developed.reset();
+    if (auto drawn = sensor.draw(shading.linear(), settings); !drawn)
+        return drawn;
     ++work.developments;
     developed = settings;
+    return {};
 }
 
 Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings& settings, const GlShading& how)
@@ -190,9 +196,7 @@ Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings&
         if (auto done = shade(inputs); !done)
             return done;
     }
-    if (developed != scene.sensor)
-        develop(scene.sensor);
-    return {};
+    return developed == scene.sensor ? Result<void>() : develop(scene.sensor);
 }
 
 GlRenderer::GlRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -200,19 +204,16 @@ GlRenderer::GlRenderer(GlRenderer&&) noexcept = default;
 GlRenderer& GlRenderer::operator=(GlRenderer&&) noexcept = default;
 GlRenderer::~GlRenderer() = default;
 
-Result<GlRenderer> GlRenderer::create(GetProcAddress load)
+Result<GlRenderer> GlRenderer::create(GetProcAddress load, const std::filesystem::path& programs)
 {
     auto functions = GlFunctions::load(load);
     if (!functions)
         return functions.error();
-    const Gl& gl = (*functions)->gl();
-    auto visibility = VisibilityPass::create(gl);
+    auto linker = std::make_unique<ProgramLinker>((*functions)->gl(), programs);
+    auto visibility = VisibilityPass::create(*linker);
     if (!visibility)
         return visibility.error();
-    auto sensor = SensorPass::create(gl);
-    if (!sensor)
-        return sensor.error();
-    auto state = std::make_unique<State>(*std::move(functions), *std::move(visibility), *std::move(sensor));
+    auto state = std::make_unique<State>(*std::move(functions), std::move(linker), *std::move(visibility));
     if (auto quiet = state->closed(Result<void>()); !quiet)
         return quiet.error();
     return GlRenderer(std::move(state));
@@ -272,7 +273,7 @@ Result<std::vector<Vec3d>> GlRenderer::evaluate(const Model& model, std::span<co
     State& s = *state_;
     prepareState(s.functions->gl());
     if (!s.evaluation)
-        s.evaluation.emplace(s.functions->gl());
+        s.evaluation.emplace(*s.linker);
     return s.closed(s.evaluation->run(model, values, rows, table, lobe));
 }
 

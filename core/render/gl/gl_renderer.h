@@ -11,6 +11,7 @@
 #include "core/scene/scene.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,14 +23,16 @@ namespace reflectance {
 struct GlWork {
     std::uint64_t meshUploads = 0, visibilities = 0, shadings = 0, developments = 0, programLinks = 0, allocations = 0;
     std::uint64_t tableUploads = 0;
+    std::uint64_t programsLoaded = 0; ///< of the programs linked: those that were kept on disk
     std::uint64_t uploadedBytes = 0; ///< of meshes, lights, tables and surroundings
     std::uint64_t targetBytes = 0;   ///< what the kept samples and pictures take now
 };
 
 class GlRenderer {
 public:
-    /// The context must be current now and at every later call, the destructor included.
-    [[nodiscard]] static Result<GlRenderer> create(GetProcAddress load);
+    /// The context must be current now and at every later call, the destructor included. Linked programs are kept in the
+    /// folder `programs` from one start to the next, see ProgramLinker; an empty name: nowhere.
+    [[nodiscard]] static Result<GlRenderer> create(GetProcAddress load, const std::filesystem::path& programs = {});
     GlRenderer(GlRenderer&&) noexcept;
     GlRenderer& operator=(GlRenderer&&) noexcept;
     ~GlRenderer();

@@ -82,6 +82,14 @@ std::uint64_t RenderTarget::bytes() const
     return perTexel * static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_);
 }
 
+void RenderTarget::shareDepthOf(const RenderTarget& other)
+{
+    const Gl& gl = framebuffer_.gl();
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, other.depth_.front().id());
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 void RenderTarget::bind() const
 {
     framebuffer_.gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());

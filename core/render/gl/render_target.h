@@ -18,6 +18,9 @@ public:
     /// Allocates anew; contents are undefined until drawn.
     void resize(int width, int height);
 
+    /// Tests against the depths of `other` from now on, which must live as long and be resized alike.
+    void shareDepthOf(const RenderTarget& other);
+
     /// Draws go here from now on, to the whole of it.
     void bind() const;
     /// glReadPixels reads this texture from now on.

@@ -1,38 +1,72 @@
 #include "core/render/gl/sensor_pass.h"
 
-#include "core/sensor/inputs.h"
+#include "core/base/check.h"
+
+#include <algorithm>
 
 namespace reflectance {
 namespace {
 
 constexpr int curveUnit = 1;
 
+/// A choice that decides which of the sensor's code runs. Compiled in as a constant: software drivers run every branch that
+/// a uniform might take, noise and curves of a sensor that has neither included.
+struct Switch {
+    const char* name;
+    int value;
+};
+
+std::array<Switch, 9> switchesOf(const SensorInputs& inputs)
+{
+    return {{{"vignettingKind", inputs.vignettingKind},
+             {"noiseOn", inputs.noiseOn},
+             {"wellOn", inputs.wellOn},
+             {"balanceOn", inputs.balanceOn},
+             {"responseKind", inputs.responseKind},
+             {"encoding", inputs.encoding},
+             {"dithered", inputs.dithered},
+             {"viewKind", inputs.viewKind},
+             {"marks", inputs.marks}}};
+}
+
+std::string keyOf(std::span<const Switch> switches)
+{
+    std::string key;
+    for (const Switch& one : switches)
+        key += std::to_string(one.value) + " ";
+    return key;
+}
+
+/// Turns `uniform int name = default;` into a constant; true if the text declares it.
+bool fix(std::string& text, const Switch& one)
+{
+    const std::string declaration = "uniform int " + std::string(one.name) + " =";
+    const std::size_t at = text.find(declaration);
+    if (at == std::string::npos)
+        return false;
+    text.replace(at, text.find(';', at) - at, "const int " + std::string(one.name) + " = " + std::to_string(one.value));
+    return true;
+}
+
 /// In the order in which one calls the other, as core/sensor/CMakeLists.txt joins them.
-std::vector<ShaderPiece> sensorPieces()
+std::vector<ShaderPiece> sensorPieces(std::span<const Switch> switches)
 {
     std::vector<ShaderPiece> pieces;
     for (const char* part :
          {"exposure", "vignetting", "noise", "well", "balance", "response", "encode", "quantise", "view", "develop"})
         pieces.push_back(shaderFile(std::string("sensor/") + part + ".glsl"));
+    for (const Switch& one : switches)
+        CHECK_EQ(std::count_if(pieces.begin(), pieces.end(), [&one](ShaderPiece& p) { return fix(p.text, one); }), 1);
     pieces.push_back(shaderFile("gl/sensor.frag"));
     return pieces;
 }
 
 } // namespace
 
-SensorPass::SensorPass(const Gl& gl, GlProgram program)
-    : gl_(&gl), program_(std::move(program)), developed_(gl, {GL_RGBA8}, WithDepth::No), noVertices_(gl),
-      curveBuffer_(gl), curveTexture_(gl)
+SensorPass::SensorPass(ProgramLinker& linker)
+    : gl_(&linker.gl()), linker_(&linker), developed_(*gl_, {GL_RGBA8}, WithDepth::No), noVertices_(*gl_),
+      curveBuffer_(*gl_), curveTexture_(*gl_)
 {
-}
-
-Result<SensorPass> SensorPass::create(const Gl& gl)
-{
-    auto program =
-        GlProgram::link(gl, assembled({}, {shaderFile("gl/fullscreen.vert")}), assembled({}, sensorPieces()));
-    if (!program)
-        return program.error();
-    return SensorPass(gl, *std::move(program));
 }
 
 void SensorPass::resize(const RenderSettings& settings)
@@ -40,39 +74,38 @@ void SensorPass::resize(const RenderSettings& settings)
     developed_.resize(settings.width, settings.height);
 }
 
-void SensorPass::setInputs(const Sensor& sensor) const
+Result<const GlProgram*> SensorPass::programFor(const SensorInputs& inputs)
 {
-    const SensorInputs inputs = inputsOf(sensor);
-    const auto set = [this](const char* name, double value) { program_.set(name, static_cast<float>(value)); };
-    set("gain", inputs.gain);
-    program_.set("vignettingKind", inputs.vignettingKind);
-    set("cornerTangent", inputs.cornerTangent);
-    program_.set("fallOff", inputs.fallOff);
-    program_.set("noiseOn", inputs.noiseOn);
-    set("shotVariance", inputs.shotVariance);
-    set("readVariance", inputs.readVariance);
-    program_.set("seed", inputs.seed);
-    program_.set("wellOn", inputs.wellOn);
-    set("wellLimit", inputs.wellLimit);
-    program_.set("balanceOn", inputs.balanceOn);
-    program_.set("balanceRed", inputs.balanceRows[0]);
-    program_.set("balanceGreen", inputs.balanceRows[1]);
-    program_.set("balanceBlue", inputs.balanceRows[2]);
-    program_.set("responseKind", inputs.responseKind);
-    set("responsePower", inputs.responsePower);
-    program_.set("responseCount", inputs.responseCount);
-    program_.set("encoding", inputs.encoding);
-    set("levels", inputs.levels);
-    program_.set("dithered", inputs.dithered);
-    program_.set("viewKind", inputs.viewKind);
-    program_.set("marks", inputs.marks);
-    program_.set("falseColors", std::span<const float>(falseColors()));
+    const auto switches = switchesOf(inputs);
+    return programs_.find(keyOf(switches), [&] {
+        return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+                               assembled({}, sensorPieces(switches)));
+    });
 }
 
-void SensorPass::showCurve(const Response& response)
+void SensorPass::setInputs(const GlProgram& program, const SensorInputs& inputs)
+{
+    const auto set = [&program](const char* name, double value) { program.set(name, static_cast<float>(value)); };
+    set("gain", inputs.gain);
+    set("cornerTangent", inputs.cornerTangent);
+    program.set("fallOff", inputs.fallOff);
+    set("shotVariance", inputs.shotVariance);
+    set("readVariance", inputs.readVariance);
+    program.set("seed", inputs.seed);
+    set("wellLimit", inputs.wellLimit);
+    program.set("balanceRed", inputs.balanceRows[0]);
+    program.set("balanceGreen", inputs.balanceRows[1]);
+    program.set("balanceBlue", inputs.balanceRows[2]);
+    set("responsePower", inputs.responsePower);
+    program.set("responseCount", inputs.responseCount);
+    set("levels", inputs.levels);
+    program.set("falseColors", std::span<const float>(falseColors()));
+}
+
+void SensorPass::showCurve(const GlProgram& program, const Response& response)
 {
     // Always another unit than the picture's: samplers of two kinds may not share one, looked up or not.
-    program_.set("responseTexels", curveUnit);
+    program.set("responseTexels", curveUnit);
     gl_->ActiveTexture(GL_TEXTURE0 + curveUnit);
     if (response.curve && response.curve != curve_) {
         gl_->BindBuffer(GL_TEXTURE_BUFFER, curveBuffer_.id());
@@ -85,16 +118,22 @@ void SensorPass::showCurve(const Response& response)
     gl_->BindTexture(GL_TEXTURE_BUFFER, curve_ ? curveTexture_.id() : 0);
 }
 
-void SensorPass::draw(const RenderTarget& linear, const Sensor& sensor)
+Result<void> SensorPass::draw(const RenderTarget& linear, const Sensor& sensor)
 {
-    program_.use();
-    showCurve(sensor.response);
+    const SensorInputs inputs = inputsOf(sensor);
+    const auto found = programFor(inputs);
+    if (!found)
+        return found.error();
+    const GlProgram& program = **found;
+    program.use();
+    showCurve(program, sensor.response);
     linear.bindAsInput(0, 0);
-    program_.set("linearPicture", 0);
-    setInputs(sensor);
+    program.set("linearPicture", 0);
+    setInputs(program, inputs);
     developed_.bind();
     gl_->BindVertexArray(noVertices_.id());
     gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    return {};
 }
 
 } // namespace reflectance

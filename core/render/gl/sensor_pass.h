@@ -1,29 +1,31 @@
-// The third pass: the linear picture through the sensor into 8-bit code values.
+// The third pass: the linear picture through the sensor into 8-bit code values, with a program made for the parts that are on.
 #pragma once
 
 #include "core/render/gl/gl_program.h"
 #include "core/render/gl/render_target.h"
 #include "core/render/settings.h"
-#include "core/sensor/sensor.h"
+#include "core/sensor/inputs.h"
 
 namespace reflectance {
 
 class SensorPass {
 public:
-    [[nodiscard]] static Result<SensorPass> create(const Gl& gl);
+    explicit SensorPass(ProgramLinker& linker);
 
     void resize(const RenderSettings& settings);
-    void draw(const RenderTarget& linear, const Sensor& sensor);
+    [[nodiscard]] Result<void> draw(const RenderTarget& linear, const Sensor& sensor);
 
     [[nodiscard]] const RenderTarget& developed() const { return developed_; }
+    [[nodiscard]] std::size_t programs() const { return programs_.size(); }
 
 private:
-    SensorPass(const Gl& gl, GlProgram program);
-    void setInputs(const Sensor& sensor) const;
-    void showCurve(const Response& response);
+    [[nodiscard]] Result<const GlProgram*> programFor(const SensorInputs& inputs);
+    static void setInputs(const GlProgram& program, const SensorInputs& inputs);
+    void showCurve(const GlProgram& program, const Response& response);
 
     const Gl* gl_;
-    GlProgram program_;
+    ProgramLinker* linker_;
+    GlProgramCache programs_;
     RenderTarget developed_;
     GlVertexArray noVertices_;
     GlBuffer curveBuffer_;

@@ -48,14 +48,16 @@ ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place plac
 
 } // namespace
 
-ShadingPass::ShadingPass(const Gl& gl)
-    : gl_(&gl), linear_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl), lights_(gl), environmentMap_(gl), table_(gl)
+ShadingPass::ShadingPass(ProgramLinker& linker)
+    : gl_(&linker.gl()), linker_(&linker), linear_(*gl_, {GL_RGBA32F}, WithDepth::Yes), noVertices_(*gl_),
+      lights_(*gl_), environmentMap_(*gl_), table_(*gl_)
 {
 }
 
 void ShadingPass::resize(const RenderSettings& settings)
 {
     linear_.resize(settings.width, settings.height);
+    covered_ = false;
 }
 
 void ShadingPass::keepIn(bool halfBuffer)
@@ -64,15 +66,61 @@ void ShadingPass::keepIn(bool halfBuffer)
         return;
     const int width = linear_.width();
     const int height = linear_.height();
-    linear_ = RenderTarget(*gl_, {halfBuffer ? GLenum{GL_RGBA16F} : GLenum{GL_RGBA32F}}, WithDepth::No);
+    linear_ = RenderTarget(*gl_, {halfBuffer ? GLenum{GL_RGBA16F} : GLenum{GL_RGBA32F}}, WithDepth::Yes);
     linear_.resize(width, height);
     halfBuffer_ = halfBuffer;
+    covered_ = false;
+}
+
+void ShadingPass::drawPicture() const
+{
+    gl_->BindVertexArray(noVertices_.id());
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Writes a depth wherever a sample of the pixel sees something.
+Result<void> ShadingPass::cover(const RenderTarget& samples, const RenderSettings& settings)
+{
+    const auto found = programs_.find("coverage", [&] {
+        return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+                               assembled({}, {shaderFile("gl/coverage.frag")}));
+    });
+    if (!found)
+        return found.error();
+    const GlProgram& program = **found;
+    program.use();
+    samples.bindAsInput(0, Unit::Normals);
+    program.set("normals", Unit::Normals);
+    program.set("samplesPerAxis", settings.samplesPerAxis);
+    constexpr float farthest = 1.0F;
+    linear_.bind();
+    gl_->Enable(GL_DEPTH_TEST);
+    gl_->DepthFunc(GL_ALWAYS);
+    gl_->DepthMask(GL_TRUE);
+    gl_->ClearBufferfv(GL_DEPTH, 0, &farthest);
+    drawPicture();
+    gl_->DepthMask(GL_FALSE);
+    gl_->Disable(GL_DEPTH_TEST);
+    covered_ = true;
+    return {};
+}
+
+/// Runs the program only in pixels that were covered; the others are of the background's colour.
+void ShadingPass::drawCovered(const Vec3d& background) const
+{
+    const Vec3f color(background);
+    const float uncovered[] = {color.x, color.y, color.z, 0.0F};
+    gl_->ClearBufferfv(GL_COLOR, 0, uncovered);
+    gl_->Enable(GL_DEPTH_TEST);
+    gl_->DepthFunc(GL_EQUAL);
+    drawPicture();
+    gl_->Disable(GL_DEPTH_TEST);
 }
 
 Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements, Place place)
 {
     return programs_.find(requirements.key() + (place == Place::Pixel ? "+once" : ""), [&]() -> Result<GlProgram> {
-        return GlProgram::link(*gl_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+        return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
                                sourceFor(requirements, requirements.modelUsed().text, place));
     });
 }
@@ -110,6 +158,11 @@ Result<void> ShadingPass::setEnvironment(const GlProgram& program, const Shading
 Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs& inputs, const Camera& camera,
                                const RenderSettings& settings)
 {
+    keepIn(inputs.how.halfBuffer);
+    const bool everywhere = inputs.requirements.environmentBackground;
+    if (!everywhere && !covered_)
+        if (auto done = cover(samples, settings); !done)
+            return done;
     const auto found = programFor(inputs.requirements, inputs.how.place);
     if (!found)
         return found.error();
@@ -134,10 +187,11 @@ Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs&
     uploadParameters(program, model, inputs.values, inputs.requirements.form);
     if (inputs.requirements.lobe == LobeForm::Table)
         uploadLobeTable(program, model, inputs.values);
-    keepIn(inputs.how.halfBuffer);
     linear_.bind();
-    gl_->BindVertexArray(noVertices_.id());
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    if (everywhere)
+        drawPicture();
+    else
+        drawCovered(inputs.background.color);
     return {};
 }
 

@@ -14,9 +14,11 @@ namespace reflectance {
 
 class ShadingPass {
 public:
-    explicit ShadingPass(const Gl& gl);
+    explicit ShadingPass(ProgramLinker& linker);
 
     void resize(const RenderSettings& settings);
+    /// The next draw has other samples than the last one.
+    void samplesChanged() { covered_ = false; }
 
     /// Draws into linear(). The samples must be those of this camera and these settings.
     [[nodiscard]] Result<void> draw(const RenderTarget& samples, const ShadingInputs& inputs, const Camera& camera,
@@ -34,13 +36,18 @@ public:
 
 private:
     [[nodiscard]] Result<const GlProgram*> programFor(const Requirements& requirements, Place place);
+    [[nodiscard]] Result<void> cover(const RenderTarget& samples, const RenderSettings& settings);
     void keepIn(bool halfBuffer);
+    void drawPicture() const;
+    void drawCovered(const Vec3d& background) const;
     void setLights(const GlProgram& program, const std::vector<float>& texels);
     [[nodiscard]] Result<void> setEnvironment(const GlProgram& program, const ShadingInputs& inputs);
 
     const Gl* gl_;
+    ProgramLinker* linker_;
     RenderTarget linear_;
     bool halfBuffer_ = false; ///< of linear_
+    bool covered_ = false;    ///< the depths of linear_ tell which pixels see something
     GlVertexArray noVertices_;
     LightBuffer lights_;
     EnvironmentMap environmentMap_;

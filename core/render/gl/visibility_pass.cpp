@@ -11,19 +11,20 @@ VisibilityPass::VisibilityPass(const Gl& gl, GlProgram rasterising, GlProgram lo
     : gl_(&gl), rasterising_(std::move(rasterising)), locating_(std::move(locating)),
       triangles_(gl, {GL_R32UI}, WithDepth::Yes), surface_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl)
 {
+    surface_.shareDepthOf(triangles_);
 }
 
-Result<VisibilityPass> VisibilityPass::create(const Gl& gl)
+Result<VisibilityPass> VisibilityPass::create(ProgramLinker& linker)
 {
-    auto rasterising = GlProgram::link(gl, assembled({}, {shaderFile("gl/visibility.vert")}),
+    auto rasterising = GlProgram::link(linker, assembled({}, {shaderFile("gl/visibility.vert")}),
                                        assembled({}, {shaderFile("gl/visibility.frag")}));
     if (!rasterising)
         return rasterising.error();
-    auto locating = GlProgram::link(gl, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+    auto locating = GlProgram::link(linker, assembled({}, {shaderFile("gl/fullscreen.vert")}),
                                     assembled({}, {shaderFile("gl/rays.glsl"), shaderFile("gl/surface.frag")}));
     if (!locating)
         return locating.error();
-    return VisibilityPass(gl, *std::move(rasterising), *std::move(locating));
+    return VisibilityPass(linker.gl(), *std::move(rasterising), *std::move(locating));
 }
 
 void VisibilityPass::resize(const RenderSettings& settings)
@@ -39,6 +40,7 @@ void VisibilityPass::keepPositions()
     const int width = surface_.width();
     const int height = surface_.height();
     surface_ = RenderTarget(*gl_, {GL_RGBA32F, GL_RGBA32F}, WithDepth::No);
+    surface_.shareDepthOf(triangles_);
     if (width > 0)
         surface_.resize(width, height);
 }
@@ -47,6 +49,7 @@ RenderTarget VisibilityPass::located(const MeshBuffers& mesh, const Camera& came
                                      const RenderSettings& settings) const
 {
     RenderTarget surface(*gl_, {GL_RGBA32F, GL_RGBA32F}, WithDepth::No);
+    surface.shareDepthOf(triangles_);
     surface.resize(surface_.width(), surface_.height());
     locate(mesh, camera, settings, surface);
     return surface;
@@ -90,8 +93,19 @@ void VisibilityPass::locate(const MeshBuffers& mesh, const Camera& camera, const
     locating_.set("eye", camera.eye);
     setRays(locating_, camera, settings);
     surface.bind();
+    constexpr float nothing[] = {0.0F, 0.0F, 0.0F, 0.0F};
+    gl_->ClearBufferfv(GL_COLOR, 0, nothing);
+    if (surface.textures() == 2)
+        gl_->ClearBufferfv(GL_COLOR, 1, nothing);
+    // At the depth of the cleared buffer: before it lies what was hit, and only there the shader has to run.
+    gl_->Enable(GL_DEPTH_TEST);
+    gl_->DepthFunc(GL_GREATER);
+    gl_->DepthMask(GL_FALSE);
+    gl_->DepthRange(1.0, 1.0);
     gl_->BindVertexArray(noVertices_.id());
     gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl_->DepthRange(0.0, 1.0);
+    gl_->Disable(GL_DEPTH_TEST);
 }
 
 } // namespace reflectance

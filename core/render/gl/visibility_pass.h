@@ -12,7 +12,7 @@ namespace reflectance {
 
 class VisibilityPass {
 public:
-    [[nodiscard]] static Result<VisibilityPass> create(const Gl& gl);
+    [[nodiscard]] static Result<VisibilityPass> create(ProgramLinker& linker);
 
     void resize(const RenderSettings& settings);
 

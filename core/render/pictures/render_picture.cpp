@@ -94,7 +94,7 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
     rendered.backend = "gl (" + std::string(context.name()) + ")";
     rendered.precision = nameOf(Precision::Glsl);
     const Clock::time_point start = Clock::now();
-    auto renderer = GlRenderer::create(context.loader());
+    auto renderer = GlRenderer::create(context.loader(), plan.programs);
     if (!renderer)
         return renderer.error();
     GlShading how{plan.place, false, plan.lobe, plan.specialised};

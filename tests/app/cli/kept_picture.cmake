@@ -1,5 +1,6 @@
 # A saved picture is made again from what it carries, equal in every byte; another scene makes another file.
 #   cmake -DPROGRAM=... -DFOLDER=... -DSCENE=two_surfaces.json -P kept_picture.cmake
+set(ENV{XDG_CACHE_HOME} "${FOLDER}/../cache")
 file(MAKE_DIRECTORY "${FOLDER}")
 function(render)
   execute_process(COMMAND "${PROGRAM}" render ${ARGN} WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE exit ERROR_VARIABLE err

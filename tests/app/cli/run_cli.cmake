@@ -1,6 +1,7 @@
 # Runs the program as a user would, from another folder, and checks what came out.
 #   cmake -DPROGRAM=... -DFOLDER=... -DEXIT=0 [-DOUT=REGEX] [-DERR=REGEX] [-DINPUT=FILE] [-DMADE=FILE] [-DNOT_MADE=FILE]
 #         [-DLINES=1] -P run_cli.cmake -- ARGS...
+set(ENV{XDG_CACHE_HOME} "${FOLDER}/../cache") # of the tests, not of who runs them
 set(arguments "")
 set(seen FALSE)
 foreach(index RANGE 1 ${CMAKE_ARGC})
