@@ -80,6 +80,8 @@ std::span<const Rung> rungs()
 
         {"one_colour_around", RungAxis::Environment, "all but the mean of the surroundings", true, true,
          oneColourAround},
+        {"nine_coefficients", RungAxis::Environment, "all of the surroundings but nine spherical harmonics", true, true,
+         nineCoefficients},
         {"coarse_surroundings", RungAxis::Environment, "15 of 16 texels of the surroundings", true, true,
          coarseSurroundings, 4},
     };

@@ -36,6 +36,7 @@ Applied oneLightColour(int amount, Recipe& recipe);
 Applied withoutFaintLights(int share, Recipe& recipe);
 
 Applied oneColourAround(int amount, Recipe& recipe);
+Applied nineCoefficients(int amount, Recipe& recipe);
 Applied coarseSurroundings(int factor, Recipe& recipe);
 
 } // namespace reflectance::rung
