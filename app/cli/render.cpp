@@ -7,12 +7,14 @@
 #include "app/cli/verbs.h"
 #include "app/cli/waterfall_report.h"
 #include "app/explorer/shown_picture.h"
+#include "app/explorer/user_folders.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/image/compare.h"
 #include "core/image/picture_file.h"
 #include "core/reflectance/kernel_tables.h"
 #include "core/render/headless/driver_ahead.h"
+#include "core/render/pictures/backend_choice.h"
 #include "core/render/pictures/picture_waterfall.h"
 #include "core/scene/requirements.h"
 #include "core/scene/scene_file.h"
@@ -48,6 +50,8 @@ nlohmann::ordered_json report(const Options& options, const Scene& scene, const 
                                    {"left_out", options.general ? std::vector<std::string>() : leftOut(scene)}};
     if (rendered.generalMilliseconds > 0.0)
         figures["general_shading_ms"] = rendered.generalMilliseconds;
+    if (rendered.leftOutBytes > 0)
+        figures["left_out_bytes"] = rendered.leftOutBytes;
     if (waterfall)
         figures["waterfall"] = waterfallReport(*waterfall);
     return figures;
@@ -91,15 +95,29 @@ Result<Image> asWritten(const std::string& path)
 struct Made {
     explorer::ShownPicture picture;
     PictureRecipe recipe;
-    Rendered last; ///< without its image
+    Rendered last;   ///< without its image
+    std::string why; ///< the backend was chosen; empty where it was asked for
 };
+
+/// `auto`, resolved once for all renderings of a picture; a flag that names something of GL's leaves no choice.
+BackendChoice choiceFor(const Options& options, const Scene& scene, const RenderSettings& settings,
+                        const RenderPlan& plan)
+{
+    const bool onMesh = plan.place == Place::Vertex || plan.place == Place::Face;
+    if (plan.backend != Backend::Auto || onMesh || options.noCache || options.context != "any")
+        return {plan.backend, ""};
+    return soonerBackend(scene, settings, plan, explorer::backendsFile(), &LongWork::progress());
+}
 
 Result<Made> make(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
 {
     const LongWork work;
-    Made made{{}, recipeFrom(options, settings, "cpu", "double"), {}};
+    const BackendChoice choice = choiceFor(options, scene, settings, plan);
+    RenderPlan chosen = plan;
+    chosen.backend = choice.backend;
+    Made made{{}, recipeFrom(options, settings, "cpu", "double"), {}, choice.why};
     const auto render = [&](const Scene& variant, int width, int height) -> Result<Image> {
-        auto rendered = renderPicture(variant, {width, height, settings.samplesPerAxis}, plan, &LongWork::progress());
+        auto rendered = renderPicture(variant, {width, height, settings.samplesPerAxis}, chosen, &LongWork::progress());
         if (!rendered)
             return rendered.error();
         made.last = *std::move(rendered);
@@ -177,7 +195,9 @@ int renderAndReport(const Options& options, const Scene& scene, const RenderSett
     const auto waterfall = waterfallFrom(options, scene, settings, *made);
     if (!waterfall)
         return refused(waterfall.error(), LongWork::wasStopped() ? Stopped : BadInput);
-    const auto figures = report(options, scene, made->recipe, made->last, made->picture.codes.counts, *waterfall);
+    auto figures = report(options, scene, made->recipe, made->last, made->picture.codes.counts, *waterfall);
+    if (!made->why.empty())
+        figures["backend_why"] = made->why;
     if (const auto written = writeReport(options.json, figures); !written)
         return refused(written.error());
     if (options.reference.empty())
@@ -257,7 +277,9 @@ void addRender(CLI::App& program, int& exitCode)
                      "picture to write: .png (after the sensor), .exr or .pfm (linear, before it)");
     verb->add_option("--probe", options->probe,
                      "X,Y in pixels: no picture, but what happens at this point, from the lights to the code value");
-    verb->add_option("--backend", options->backend, "auto (GL where there is one), gl or cpu")
+    verb->add_option(
+            "--backend", options->backend,
+            "auto (GL on a graphics card; without one what is sooner done, tried once per size of picture), gl or cpu")
         ->check(CLI::IsMember({"auto", "gl", "cpu"}))
         ->capture_default_str();
     verb->add_option("--precision", options->precision,
@@ -273,6 +295,8 @@ void addRender(CLI::App& program, int& exitCode)
     verb->add_option("--lobe", options->lobe,
                      "how a highlight's (R.V)^n is computed: conditioned (right, the default), power, squarings (whole "
                      "n), truncated, schlick or table");
+    verb->add_flag("--no-cache", options->noCache,
+                   "neither use nor keep linked shaders and measured backends; auto is then GL where there is one");
     verb->add_flag("--no-specialise", options->general,
                    "run the general shader or kernel: terms that are 0 are computed too, for comparison");
     verb->add_option("--lens", options->lens,

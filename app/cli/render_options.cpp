@@ -21,7 +21,8 @@ Result<RenderPlan> planFrom(const RenderOptions& options)
     RenderPlan plan;
     plan.backend = options.backend == "gl" ? Backend::Gl : options.backend == "cpu" ? Backend::Cpu : Backend::Auto;
     plan.context = contextNamed(options.context);
-    plan.programs = explorer::programsFolder();
+    if (!options.noCache)
+        plan.programs = explorer::programsFolder();
     plan.frames = options.frames;
     plan.place = options.shading == "vertex" ? Place::Vertex
                  : options.shading == "face" ? Place::Face

@@ -22,6 +22,7 @@ struct RenderOptions {
     std::string variant; ///< "A", "B", "side", "wipe" or "difference"; empty: A, or as a saved picture has
     double divider = 0.5;
     bool general = false; ///< nothing is specialised: terms that are 0 are computed too
+    bool noCache = false; ///< nothing is read from or written to the user's cache folder
     int frames = 1;
     std::string reference;
     double threshold = 0.0;

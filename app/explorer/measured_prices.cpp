@@ -1,6 +1,7 @@
 #include "app/explorer/measured_prices.h"
 
 #include "core/image/compare.h"
+#include "core/scene/requirements.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,24 +14,37 @@ constexpr int repetitions = 3;
 
 struct Shaded {
     Image image;
-    double milliseconds = 0.0;
+    double milliseconds = 0.0, generalMilliseconds = 0.0;
 };
 
-/// The median of a few; one alone where it took long, for then it is not the clock that is coarse.
-Shaded shadedOnCpu(const ViewSamples& samples, const Scene& scene, Precision precision, Progress& progress)
+double median(std::vector<double> times)
+{
+    std::sort(times.begin(), times.end());
+    return times.empty() ? 0.0 : times[times.size() / 2];
+}
+
+/// The median of a few; one alone where it took long, for then it is not the clock that is coarse. Where the general path is
+/// asked for too, the two take turns.
+Shaded shadedOnCpu(const ViewSamples& samples, const Scene& scene, Precision precision, Progress& progress,
+                   bool alsoGeneral = false)
 {
     using namespace std::chrono;
     Shaded shaded;
-    std::vector<double> times;
-    while (times.size() < repetitions && !progress.cancel) {
+    std::vector<double> times, general;
+    const auto timed = [&](const Arithmetic& arithmetic) {
         const auto start = steady_clock::now();
-        shaded.image = shadeSamples(samples, scene, precision, &progress);
-        times.push_back(duration<double, std::milli>(steady_clock::now() - start).count());
+        shaded.image = shadeSamples(samples, scene, arithmetic, &progress);
+        return duration<double, std::milli>(steady_clock::now() - start).count();
+    };
+    while (times.size() < repetitions && !progress.cancel) {
+        if (alsoGeneral)
+            general.push_back(timed({precision, LobeForm::Conditioned, false}));
+        times.push_back(timed(precision));
         if (times.back() > 100.0)
             break;
     }
-    std::sort(times.begin(), times.end());
-    shaded.milliseconds = times.empty() ? 0.0 : times[times.size() / 2];
+    shaded.milliseconds = median(std::move(times));
+    shaded.generalMilliseconds = median(std::move(general));
     return shaded;
 }
 
@@ -48,6 +62,7 @@ PriceTag tagOf(std::string name, const Shaded& shaded, const Image& truth, doubl
     PriceTag tag;
     tag.name = std::move(name);
     tag.milliseconds = shaded.milliseconds;
+    tag.generalMilliseconds = shaded.generalMilliseconds;
     const Result<Comparison> difference = compared(truth, shaded.image);
     if (!difference || difference->identical)
         return tag;
@@ -65,7 +80,8 @@ std::optional<Prices> measuredPrices(const Scene& scene, const DrawnByGl& drawn,
     const double covered = coveredShare(drawn.samples);
     const Shaded exact = shadedOnCpu(drawn.samples, scene, Precision::Double, progress);
     const Shaded single = shadedOnCpu(drawn.samples, scene, Precision::Float, progress);
-    const Shaded lanes = shadedOnCpu(drawn.samples, scene, Precision::Simd, progress);
+    const Shaded lanes =
+        shadedOnCpu(drawn.samples, scene, Precision::Simd, progress, !requiredSurface(scene).leftOut.empty());
     if (progress.cancel)
         return std::nullopt;
     Prices prices;

@@ -27,6 +27,12 @@ fs::path baseFolder(const char* variable, const char* usual)
     return home.empty() ? fs::path() : fs::path(home) / usual;
 }
 
+fs::path cacheFolder()
+{
+    const fs::path cache = baseFolder("XDG_CACHE_HOME", ".cache");
+    return cache.empty() ? cache : cache / "reflectance";
+}
+
 fs::path configHome()
 {
     return baseFolder("XDG_CONFIG_HOME", ".config");
@@ -65,8 +71,14 @@ fs::path stateFolder()
 
 fs::path programsFolder()
 {
-    const fs::path cache = baseFolder("XDG_CACHE_HOME", ".cache");
-    return cache.empty() ? cache : cache / "reflectance" / "programs";
+    const fs::path cache = cacheFolder();
+    return cache.empty() ? cache : cache / "programs";
+}
+
+fs::path backendsFile()
+{
+    const fs::path cache = cacheFolder();
+    return cache.empty() ? cache : cache / "backends";
 }
 
 fs::path picturesFolderIn(std::string_view userDirs, const std::string& home)

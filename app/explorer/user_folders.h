@@ -17,6 +17,9 @@ namespace reflectance::explorer {
 /// empty without a home.
 [[nodiscard]] std::filesystem::path programsFolder();
 
+/// Which renderer is sooner done, as measured: a file beside that folder; empty without a home.
+[[nodiscard]] std::filesystem::path backendsFile();
+
 /// The user's pictures: XDG_PICTURES_DIR of user-dirs.dirs, else ~/Pictures if it is there, else home, else here.
 [[nodiscard]] std::filesystem::path picturesFolder();
 

@@ -1,6 +1,7 @@
 // What model texts ask of two directions, formed without cancellation; GLSL's text stands in shaders/prelude.glsl.
 #pragma once
 
+#include "core/math/exponentials.h"
 #include "core/math/shading_language.h"
 
 #include <limits>
@@ -24,14 +25,10 @@ template <class T> [[nodiscard]] Vec3<T> operator/(const Vec3<T>& a, const Vec3<
     return std::asin(x);
 }
 
-/// exp(y) for y <= 0. Lanes and GLSL give 0 where the result would leave the normal numbers.
-[[nodiscard]] inline double expOrZero(double y)
+/// exp(y) for y <= 0; 0 below the smallest normal number.
+template <class T> [[nodiscard]] T expOrZero(const T& y)
 {
-    return std::exp(y);
-}
-[[nodiscard]] inline float expOrZero(float y)
-{
-    return std::exp(y);
+    return exp2OrZero(y * lit<T>(std::numbers::log2e));
 }
 
 /// The angle between unit vectors, in radians: 2 asin(|A - B| / 2), and pi less that of A and -B beyond a right angle.

@@ -1,10 +1,11 @@
 // SIMD lanes as a number type for the model texts. One arithmetic, any instruction set: A is an xsimd architecture.
 #pragma once
 
+#include "core/math/number_bits.h"
 #include "core/math/vec.h"
 
+#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <xsimd/xsimd.hpp>
 
 namespace reflectance {
@@ -13,11 +14,66 @@ template <class S, class A> struct ScalarOf<xsimd::batch<S, A>> {
     using type = S;
 };
 
+// See number_bits.h.
+template <class S, class A> [[nodiscard]] auto bitsOf(const xsimd::batch<S, A>& x)
+{
+    return xsimd::bitwise_cast<xsimd::batch<typename NumberBits<S>::Bits, A>>(x);
+}
+template <class A> [[nodiscard]] xsimd::batch<double, A> fromBits(const xsimd::batch<std::uint64_t, A>& bits)
+{
+    return xsimd::bitwise_cast<xsimd::batch<double, A>>(bits);
+}
+template <class A> [[nodiscard]] xsimd::batch<float, A> fromBits(const xsimd::batch<std::uint32_t, A>& bits)
+{
+    return xsimd::bitwise_cast<xsimd::batch<float, A>>(bits);
+}
+template <class S, class A>
+[[nodiscard]] xsimd::batch<S, A> choose(const xsimd::batch_bool<S, A>& first, const xsimd::batch<S, A>& a,
+                                        const xsimd::batch<S, A>& b)
+{
+    return xsimd::select(first, a, b);
+}
+/// The mask itself, over the bits: of a choice between a number and 0 compilers make two instructions more.
+template <class S, class A>
+[[nodiscard]] xsimd::batch<S, A> choose(const xsimd::batch_bool<S, A>& open, const xsimd::batch<S, A>& a)
+{
+    return a & xsimd::batch<S, A>(open.data);
+}
 template <class S, class A>
 [[nodiscard]] xsimd::batch<S, A> gate(const xsimd::batch<S, A>& condition, const xsimd::batch<S, A>& value)
 {
-    const xsimd::batch<S, A> zero(S(0));
-    return xsimd::select(condition > zero, value, zero);
+    return choose(condition > xsimd::batch<S, A>(S(0)), value);
+}
+/// In float one rounding where the processor can; in double always two, so that all processors agree.
+template <class A>
+[[nodiscard]] xsimd::batch<float, A> multiplyAdd(const xsimd::batch<float, A>& a, const xsimd::batch<float, A>& b,
+                                                 const xsimd::batch<float, A>& c)
+{
+    return xsimd::fma(a, b, c);
+}
+template <class A>
+[[nodiscard]] xsimd::batch<double, A> multiplyAdd(const xsimd::batch<double, A>& a, const xsimd::batch<double, A>& b,
+                                                  const xsimd::batch<double, A>& c)
+{
+    return a * b + c;
+}
+template <class A>
+[[nodiscard]] xsimd::batch<float, A> multiplySubtract(const xsimd::batch<float, A>& a, const xsimd::batch<float, A>& b,
+                                                      const xsimd::batch<float, A>& c)
+{
+    return xsimd::fms(a, b, c);
+}
+template <class A>
+[[nodiscard]] xsimd::batch<double, A>
+multiplySubtract(const xsimd::batch<double, A>& a, const xsimd::batch<double, A>& b, const xsimd::batch<double, A>& c)
+{
+    return a * b - c;
+}
+
+template <class A>
+[[nodiscard]] xsimd::batch<float, A> dot(const Vec3<xsimd::batch<float, A>>& a, const Vec3<xsimd::batch<float, A>>& b)
+{
+    return multiplyAdd(a.x, b.x, multiplyAdd(a.y, b.y, a.z * b.z));
 }
 
 /// A number that every lane shares: see counting.h.
@@ -51,34 +107,14 @@ template <class A> [[nodiscard]] xsimd::batch<float, A> arcsine(const xsimd::bat
     return x + x * (t * Q);
 }
 
-/// exp(y) for y <= 0; 0 below the smallest normal number: denormals triple the time of a kernel.
-template <class S, class A> [[nodiscard]] xsimd::batch<S, A> expOrZero(const xsimd::batch<S, A>& y)
+/// In double each lane by itself: only the C library gives all digits of it.
+template <class A> [[nodiscard]] xsimd::batch<double, A> arcsine(const xsimd::batch<double, A>& x)
 {
-    using B = xsimd::batch<S, A>;
-    const B smallest(std::log(std::numeric_limits<S>::min()) + S(0.01));
-    return xsimd::select(y >= smallest, xsimd::exp(xsimd::max(y, smallest)), B(S(0)));
-}
-
-/// The conditioned lobe of lobe.h without a branch: one log and one exp of a blended base.
-/// For R.V > 1/2 the base is u = 1-x and log1p(-x) = log(u) + ((1-u)-x)/u, the second term giving back what forming u
-/// rounded away.
-template <class S, class A>
-[[nodiscard]] xsimd::batch<S, A> lobe(const Vec3<xsimd::batch<S, A>>& R, const Vec3<xsimd::batch<S, A>>& V,
-                                      const xsimd::batch<S, A>& n)
-{
-    using B = xsimd::batch<S, A>;
-    const B zero(S(0));
-    const B one(S(1));
-    const B half(S(0.5));
-    const B cosine = dot(R, V);
-    const Vec3<B> chord = R - V;
-    const B x = half * dot(chord, chord);
-    const auto near = cosine > half;
-    const B rounded = one - x;
-    const B base = xsimd::select(near, rounded, cosine);
-    const B correction = xsimd::select(near, ((one - rounded) - x) / base, zero);
-    const B positive = xsimd::max(base, B(std::numeric_limits<S>::min()));
-    return xsimd::select(cosine > zero, expOrZero(n * (xsimd::log(positive) + correction)), zero);
+    alignas(64) double lanes[xsimd::batch<double, A>::size];
+    x.store_aligned(lanes);
+    for (double& lane : lanes)
+        lane = std::asin(lane);
+    return xsimd::batch<double, A>::load_aligned(lanes);
 }
 
 } // namespace reflectance

@@ -18,7 +18,8 @@ std::vector<Kernels> kernelsOfOtherLobes(std::size_t at)
 {
     std::vector<Kernels> all;
     for (const LobeFormFacts& facts : lobeForms().subspan(1))
-        all.push_back({doubleKernels(facts.form)[at], floatKernels(facts.form)[at], lanesKernels(facts.form)[at]});
+        all.push_back({doubleKernels().with(facts.form)[at], floatKernels().with(facts.form)[at],
+                       lanesKernels().with(facts.form)[at]});
     return all;
 }
 
@@ -27,8 +28,8 @@ void addSpecials(Model& model)
     const auto rows = specialRows();
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (rows[i].model == model.id())
-            model.specials.emplace_back(
-                rows[i].form, Kernels{specialDoubleKernels()[i], specialFloatKernels()[i], specialLanesKernels()[i]});
+            model.specials.emplace_back(rows[i].form, Kernels{doubleKernels().specials[i], floatKernels().specials[i],
+                                                              lanesKernels().specials[i]});
 }
 
 std::vector<Model> readCatalogue()
@@ -46,7 +47,11 @@ std::vector<Model> readCatalogue()
         }
         const std::size_t i = models.size();
         texts.push_back(*text);
-        models.push_back({{doubleKernels()[i], floatKernels()[i], lanesKernels()[i]}, *std::move(text), {}, {}, {}});
+        models.push_back({{doubleKernels().models[i], floatKernels().models[i], lanesKernels().models[i]},
+                          *std::move(text),
+                          {},
+                          {},
+                          {}});
         if (models.back().text.usesLobe)
             models.back().otherLobes = kernelsOfOtherLobes(withLobe++);
         addSpecials(models.back());

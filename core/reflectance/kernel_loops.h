@@ -37,7 +37,9 @@ template <class Model, class T> void environmentOneByOne(const double* values, c
         add(batch.sum, i, model.shadeEnvironment(batch.N[i], batch.V[i]));
 }
 
-template <class Model, class T> constexpr Kernel<T> scalarKernel()
+template <class Model, class T>
+requires std::is_floating_point_v<T>
+constexpr Kernel<T> makeKernel()
 {
     if constexpr (seesEnvironment<Model, T>)
         return {shadeOneByOne<Model, T>, environmentOneByOne<Model, T>};

@@ -1,8 +1,5 @@
-// The models in double (the truth) and in scalar float, and the choice of SIMD lanes for this processor.
-#include "core/reflectance/kernel_loops.h"
-#include "core/reflectance/kernel_tables.h"
-#include "core/reflectance/lobe_kernels.h"
-#include "models.gen.h"
+// The models in scalar float, the other forms of the lobe in scalar double, and the choice of lanes for this processor.
+#include "core/reflectance/kernel_lists.h"
 
 namespace reflectance {
 namespace {
@@ -12,24 +9,6 @@ bool hasAvx2()
     static const bool has = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
     return has;
 }
-
-#define KERNEL(model) scalarKernel<models::model<T>, T>(),
-template <class T> constexpr Kernel<T> kernels[] = {REFLECTANCE_FOR_EACH_MODEL(KERNEL)};
-#undef KERNEL
-
-#define KERNEL(model) scalarKernel<models::model<T, Lobe>, T>(),
-template <class T, template <class> class Lobe>
-constexpr Kernel<T> kernelsWith[] = {REFLECTANCE_FOR_EACH_MODEL_WITH_LOBE(KERNEL)};
-#undef KERNEL
-
-#define FORM(Lobe) kernelsWith<T, Lobe>,
-template <class T> constexpr const Kernel<T>* otherForms[] = {REFLECTANCE_FOR_EACH_OTHER_LOBE(FORM)};
-#undef FORM
-
-#define SPECIAL(model, K, ks, facing)                                                                                  \
-    scalarKernel<FacingIf<models::model<T, ConditionedLobe, MatrixOf<T, K>, ColorOf<T, ks>>, T, facing>, T>(),
-template <class T> constexpr Kernel<T> specials[] = {REFLECTANCE_FOR_EACH_SPECIAL(SPECIAL)};
-#undef SPECIAL
 
 } // namespace
 
@@ -41,49 +20,25 @@ std::span<const SpecialRow> specialRows()
     return rows;
 }
 
-const Kernel<double>* specialDoubleKernels()
+const KernelTable<float>& floatKernels()
 {
-    return specials<double>;
+    static constexpr KernelTable<float> table{modelKernels<float>, specials<float>, otherForms<float>};
+    return table;
 }
 
-const Kernel<float>* specialFloatKernels()
+const KernelTable<double>& doubleKernels()
 {
-    return specials<float>;
+    static const KernelTable<double> table = [] {
+        KernelTable<double> lanes = hasAvx2() ? doubleKernelsAvx2() : doubleKernelsSse2();
+        lanes.otherForms = otherForms<double>;
+        return lanes;
+    }();
+    return table;
 }
 
-const Kernel<float>* specialLanesKernels()
-{
-    return hasAvx2() ? specialLanesKernelsAvx2() : specialLanesKernelsSse2();
-}
-
-const Kernel<double>* doubleKernels()
-{
-    return kernels<double>;
-}
-
-const Kernel<float>* floatKernels()
-{
-    return kernels<float>;
-}
-
-const Kernel<double>* doubleKernels(LobeForm form)
-{
-    return otherForms<double>[otherLobe(form)];
-}
-
-const Kernel<float>* floatKernels(LobeForm form)
-{
-    return otherForms<float>[otherLobe(form)];
-}
-
-const Kernel<float>* lanesKernels()
+const KernelTable<float>& lanesKernels()
 {
     return hasAvx2() ? lanesKernelsAvx2() : lanesKernelsSse2();
-}
-
-const Kernel<float>* lanesKernels(LobeForm form)
-{
-    return hasAvx2() ? lanesKernelsAvx2(form) : lanesKernelsSse2(form);
 }
 
 const char* lanesName()

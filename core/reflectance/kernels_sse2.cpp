@@ -1,50 +1,22 @@
 // The models in SIMD lanes for processors with SSE2 (every x86-64).
 #include "core/reflectance/kernel_lanes.h"
 
-#include "core/reflectance/kernel_tables.h"
-#include "core/reflectance/lobe_kernels.h"
-#include "models.gen.h"
+#include "core/reflectance/kernel_lists.h"
 
 namespace reflectance {
-namespace {
 
-using Lanes = xsimd::batch<float, xsimd::sse2>;
-
-#define KERNEL(model) lanesKernel<models::model<Lanes>, Lanes>(),
-constexpr Kernel<float> kernels[] = {REFLECTANCE_FOR_EACH_MODEL(KERNEL)};
-#undef KERNEL
-
-#define KERNEL(model) lanesKernel<models::model<Lanes, Lobe>, Lanes>(),
-template <template <class> class Lobe>
-constexpr Kernel<float> kernelsWith[] = {REFLECTANCE_FOR_EACH_MODEL_WITH_LOBE(KERNEL)};
-#undef KERNEL
-
-#define FORM(Lobe) kernelsWith<Lobe>,
-constexpr const Kernel<float>* otherForms[] = {REFLECTANCE_FOR_EACH_OTHER_LOBE(FORM)};
-#undef FORM
-
-#define SPECIAL(model, K, ks, facing)                                                                                  \
-    lanesKernel<                                                                                                       \
-        FacingIf<models::model<Lanes, ConditionedLobe, MatrixOf<Lanes, K>, ColorOf<Lanes, ks>>, Lanes, facing>,        \
-        Lanes>(),
-constexpr Kernel<float> specials[] = {REFLECTANCE_FOR_EACH_SPECIAL(SPECIAL)};
-#undef SPECIAL
-
-} // namespace
-
-const Kernel<float>* specialLanesKernelsSse2()
+const KernelTable<float>& lanesKernelsSse2()
 {
-    return specials;
+    using Lanes = xsimd::batch<float, xsimd::sse2>;
+    static constexpr KernelTable<float> table{modelKernels<Lanes>, specials<Lanes>, otherForms<Lanes>};
+    return table;
 }
 
-const Kernel<float>* lanesKernelsSse2()
+const KernelTable<double>& doubleKernelsSse2()
 {
-    return kernels;
-}
-
-const Kernel<float>* lanesKernelsSse2(LobeForm form)
-{
-    return otherForms[otherLobe(form)];
+    using Lanes = xsimd::batch<double, xsimd::sse2>;
+    static constexpr KernelTable<double> table{modelKernels<Lanes>, specials<Lanes>, nullptr};
+    return table;
 }
 
 } // namespace reflectance

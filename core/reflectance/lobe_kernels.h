@@ -10,13 +10,3 @@
 /// All forms but the conditioned one, in the order of LobeForm.
 #define REFLECTANCE_FOR_EACH_OTHER_LOBE(DO)                                                                            \
     DO(texts::Power) DO(texts::Squarings) DO(texts::Truncated) DO(texts::Schlick) DO(TableLobe)
-
-namespace reflectance {
-
-/// Its place in that list.
-[[nodiscard]] constexpr std::size_t otherLobe(LobeForm form)
-{
-    return static_cast<std::size_t>(form) - 1;
-}
-
-} // namespace reflectance

@@ -1,5 +1,7 @@
 #include "core/scene/requirements.h"
 
+#include "core/reflectance/viewer.h"
+
 #include <algorithm>
 
 namespace reflectance {
@@ -37,6 +39,7 @@ std::string Requirements::key() const
     append(environmentMap, "map");
     append(table, "table");
     append(holes, "holes");
+    append(!positions, "anywhere");
     append(lobe != LobeForm::Conditioned, factsOf(lobe).name);
     return text;
 }
@@ -75,6 +78,7 @@ Requirements requirementsOf(const Scene& scene, const Arithmetic& arithmetic)
     r.table = model.text.usesTable && scene.surface.table != nullptr;
     r.lobe = model.text.usesLobe ? arithmetic.lobe : LobeForm::Conditioned;
     r.holes = r.table && scene.surface.showHoles;
+    r.positions = !arithmetic.specialised || r.pointLights || r.holes || r.form.facing || looksAtViewer(model.text);
     return r;
 }
 
@@ -82,6 +86,9 @@ std::vector<std::string> leftOut(const Scene& scene)
 {
     const Model& model = modelOf(scene);
     std::vector<std::string> notes = requiredSurface(scene).leftOut;
+    if (!requirementsOf(scene).positions)
+        notes.push_back("where the samples lie, 16 bytes each in GL: " + requiredSurface(scene).model->text.name +
+                        " looks alike from everywhere, and no light is near");
     if (!model.text.usesEnvironment && !isBlack(scene.environment))
         notes.push_back("environment: " + model.text.name + " is lit by the lights alone");
     if (model.text.usesTable && !scene.surface.table)

@@ -22,6 +22,7 @@ struct Requirements {
     bool environmentBackground = false;
     bool table = false;                    ///< the model looks one up, and there is one
     bool holes = false;                    ///< of the table, to be shown
+    bool positions = true;                 ///< where the samples lie: for V, for point lights, for holes
     LobeForm lobe = LobeForm::Conditioned; ///< conditioned for a model that calls none
 
     friend bool operator==(const Requirements&, const Requirements&) = default;

@@ -11,11 +11,12 @@
 namespace reflectance {
 
 struct PriceTag {
-    std::string name;          ///< "double", "float", "simd (avx2)", "gl"
-    double milliseconds = 0.0; ///< one re-shading of the kept samples: median of the repetitions
-    double maxError = 0.0;     ///< largest absolute difference of a linear channel to double on the same samples
-    double rmse = 0.0;         ///< over all channels of the covered pixels
-    int worstX = -1, worstY = -1; ///< pixel of maxError; -1 where there is none
+    std::string name;                 ///< "double", "float", "simd (avx2)", "gl"
+    double milliseconds = 0.0;        ///< one re-shading of the kept samples: median of the repetitions
+    double maxError = 0.0;            ///< largest absolute difference of a linear channel to double on the same samples
+    double rmse = 0.0;                ///< over all channels of the covered pixels
+    int worstX = -1, worstY = -1;     ///< pixel of maxError; -1 where there is none
+    double generalMilliseconds = 0.0; ///< a re-shading that leaves nothing out; 0 where it was not measured
 };
 
 /// Measures double, float and simd, and GL too where a renderer is given (its context current).

@@ -2,7 +2,12 @@
 // Loops ask at their end: a software driver runs the body of a loop that asks at its head once more, masked, and here the
 // bodies stand in each other.
 uniform sampler2D normals;   // N, hit flag
+#ifdef POSITIONS
 uniform sampler2D positions; // P
+vec3 positionAt(ivec2 texel) { return texelFetch(positions, texel, 0).xyz; }
+#else
+vec3 positionAt(ivec2 texel) { return vec3(0.0); } // nobody asks
+#endif
 uniform int samplesPerAxis;
 uniform int lightCount;
 uniform vec3 eye;
@@ -57,7 +62,7 @@ vec3 shadeMiddle(ivec2 first, int hits)
         if (at.x == samplesPerAxis)
             at = ivec2(0, at.y - 1);
     } while (at.y >= 0);
-    return shadeSample(texelFetch(normals, middle, 0).xyz, texelFetch(positions, middle, 0).xyz);
+    return shadeSample(texelFetch(normals, middle, 0).xyz, positionAt(middle));
 }
 #endif
 
@@ -72,7 +77,7 @@ void main()
         vec4 normalAndHit = texelFetch(normals, texel, 0);
         if (normalAndHit.w > 0.0) {
 #ifndef ONCE_PER_PIXEL
-            sum += shadeSample(normalAndHit.xyz, texelFetch(positions, texel, 0).xyz);
+            sum += shadeSample(normalAndHit.xyz, positionAt(texel));
 #endif
             hits += 1.0;
         } else {

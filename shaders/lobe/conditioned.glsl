@@ -1,4 +1,4 @@
-// The lobe as every model has it unless another form is asked for; its C++ twins are core/math/lobe.h and lanes.h.
+// The lobe as every model has it unless another form is asked for; its C++ twin is core/math/lobe.h.
 
 // log((1+s)/(1-s)) = 2 (s + s^3/3 + s^5/5 + ...) for |s| <= 1/3; the first term left out is below 2^-28 of the result.
 float logOfQuotient(float s)

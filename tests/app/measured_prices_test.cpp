@@ -37,6 +37,16 @@ TEST(Prices, NameEachPrecisionWithItsError)
     EXPECT_EQ(prices->tags[3].milliseconds, 2.5);
 }
 
+TEST(Prices, TimeTheGeneralPathWhereATermWasLeftOut)
+{
+    Scene scene = defaultScene();
+    Progress progress;
+    scene.surface.values["ks"] = {0.0};
+    EXPECT_GT(measuredPrices(scene, drawnWith(scene, Precision::Float), progress)->tags[2].generalMilliseconds, 0.0);
+    scene.surface.values["ks"] = {0.2, 0.3, 0.4}; // K is full and ks a colour: the general form
+    EXPECT_EQ(measuredPrices(scene, drawnWith(scene, Precision::Float), progress)->tags[2].generalMilliseconds, 0.0);
+}
+
 TEST(Prices, CatchOneWrongPixelOfGl)
 {
     const Scene scene = defaultScene();

@@ -32,6 +32,7 @@ TEST(UserFolders, FollowTheEnvironment)
     EXPECT_EQ(stateFolder(), home.path / ".local" / "state" / "reflectance");
     ::unsetenv("XDG_CACHE_HOME");
     EXPECT_EQ(programsFolder(), home.path / ".cache" / "reflectance" / "programs");
+    EXPECT_EQ(backendsFile(), home.path / ".cache" / "reflectance" / "backends");
     ::setenv("XDG_STATE_HOME", "/var/state", 1);
     EXPECT_EQ(stateFolder(), fs::path("/var/state/reflectance"));
     EXPECT_EQ(picturesFolder(), home.path);

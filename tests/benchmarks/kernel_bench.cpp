@@ -72,7 +72,8 @@ const bool registered = [] {
     add<double>("hybrid/kernel/double", hybridValues, "hybrid", hybrid.exact.shade);
     add<float>("hybrid/kernel/float", hybridValues, "hybrid", hybrid.single.shade);
     add<float>("hybrid/kernel/simd", hybridValues, "hybrid", hybrid.lanes.shade);
-    add<float>("hybrid/kernel/sse2", hybridValues, "hybrid", lanesKernelsSse2()[&hybrid - catalogue().data()].shade);
+    add<float>("hybrid/kernel/sse2", hybridValues, "hybrid",
+               lanesKernelsSse2().models[&hybrid - catalogue().data()].shade);
     add<double>("hybrid/one_ks/double", hybridValues, "hybrid", oneKs.exact.shade);
     add<float>("hybrid/one_ks/simd", hybridValues, "hybrid", oneKs.lanes.shade);
     if (std::strcmp(lanesName(), "avx2") == 0)

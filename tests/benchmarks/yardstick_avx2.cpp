@@ -39,16 +39,18 @@ __m256 log2Of(__m256 x)
     return _mm256_fmadd_ps(_mm256_mul_ps(sum, s), _mm256_set1_ps(1.44269504F), exponent);
 }
 
+/// 0 below 2^-120: a highlight's tail of subnormal numbers would double the time of the whole kernel.
 __m256 exp2Of(__m256 y)
 {
-    y = _mm256_max_ps(y, _mm256_set1_ps(-126.0F));
+    const __m256 kept = _mm256_cmp_ps(y, _mm256_set1_ps(-120.0F), _CMP_GE_OQ);
+    y = _mm256_max_ps(y, _mm256_set1_ps(-120.0F));
     const __m256 whole = _mm256_round_ps(y, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
     const __m256 r = _mm256_sub_ps(y, whole);
     __m256 sum = _mm256_set1_ps(1.3333558e-3F);
     for (const float c : {9.6181291e-3F, 5.5504109e-2F, 0.24022651F, 0.69314718F, 1.0F})
         sum = _mm256_fmadd_ps(sum, r, _mm256_set1_ps(c));
     const __m256i shift = _mm256_slli_epi32(_mm256_cvtps_epi32(whole), 23);
-    return _mm256_castsi256_ps(_mm256_add_epi32(_mm256_castps_si256(sum), shift));
+    return _mm256_and_ps(_mm256_castsi256_ps(_mm256_add_epi32(_mm256_castps_si256(sum), shift)), kept);
 }
 
 void add(float* to, __m256 value)

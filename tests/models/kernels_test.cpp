@@ -5,6 +5,7 @@
 #include "tests/models/evaluated.h"
 #include "tests/models/random_cases.h"
 
+#include <array>
 #include <cstring>
 #include <gtest/gtest.h>
 
@@ -19,9 +20,9 @@ struct Lanes {
 /// Those that this processor runs; the widest comes last.
 std::vector<Lanes> lanesHere()
 {
-    std::vector<Lanes> all{{"sse2", lanesKernelsSse2()}};
+    std::vector<Lanes> all{{"sse2", lanesKernelsSse2().models}};
     if (std::strcmp(lanesName(), "avx2") == 0)
-        all.push_back({"avx2", lanesKernelsAvx2()});
+        all.push_back({"avx2", lanesKernelsAvx2().models});
     return all;
 }
 
@@ -86,20 +87,43 @@ TEST(Kernels, TailsEqualWholeBatchesBitForBit)
             EXPECT_EQ(differencesInTails(lanes.kernels[m], catalogue()[m]), 0U) << lanes.name;
 }
 
+std::array<Vec3d, blockSize> inDouble(const KernelTable<double>& table, std::size_t model)
+{
+    const auto cases = batchOf(catalogue()[model].id(), blockSize);
+    ShadeBlock<double> block;
+    load(cases, block);
+    table.models[model].shade(flatValues(catalogue()[model].text, cases[0].parameters).data(), block.batch(blockSize));
+    std::array<Vec3d, blockSize> sums;
+    for (std::size_t i = 0; i < blockSize; ++i)
+        sums[i] = block.sum[i];
+    return sums;
+}
+
+/// The truth does not depend on the processor.
+TEST(Kernels, DoubleIsTheSameBitForBitOnEveryInstructionSet)
+{
+    if (std::strcmp(lanesName(), "avx2") == 0)
+        for (std::size_t m = 0; m < catalogue().size(); ++m) {
+            const auto narrow = inDouble(doubleKernelsSse2(), m);
+            const auto wide = inDouble(doubleKernelsAvx2(), m);
+            EXPECT_EQ(std::memcmp(narrow.data(), wide.data(), sizeof narrow), 0) << catalogue()[m].id();
+        }
+}
+
 /// The planted fault: a kernel that forgets what does not fill a register, and one that writes whole registers.
 TEST(Kernels, TheTailTestCatchesForgottenAndOverrunTails)
 {
     const auto forgets = [](const double* values, const ShadeBatch<float>& batch) {
         ShadeBatch<float> whole = batch;
         whole.count = batch.count / 4 * 4;
-        floatKernels()[0].shade(values, whole);
+        floatKernels().models[0].shade(values, whole);
     };
     const auto overruns = [](const double* values, const ShadeBatch<float>& batch) {
         ShadeBatch<float> whole = batch;
         whole.count = (batch.count + 3) / 4 * 4;
-        floatKernels()[0].shade(values, whole);
+        floatKernels().models[0].shade(values, whole);
     };
-    EXPECT_EQ(differencesInTails({floatKernels()[0].shade, nullptr}, catalogue()[0]), 0U);
+    EXPECT_EQ(differencesInTails({floatKernels().models[0].shade, nullptr}, catalogue()[0]), 0U);
     EXPECT_GT(differencesInTails({+forgets, nullptr}, catalogue()[0]), 0U);
     EXPECT_GT(differencesInTails({+overruns, nullptr}, catalogue()[0]), 0U);
 }
@@ -118,10 +142,10 @@ TEST(Kernels, SurroundingsAreSeenAlongTheMirroredView)
     const auto cases = randomCases("mirror", 53);
     ShadeBlock<double> truth;
     load(cases, truth);
-    doubleKernels()[index].environment(reflectance.data(),
-                                       truth.environmentBatch(53, {colorOfDirection<double>, &scale}));
+    doubleKernels().models[index].environment(reflectance.data(),
+                                              truth.environmentBatch(53, {colorOfDirection<double>, &scale}));
     std::vector<Lanes> all = lanesHere();
-    all.push_back({"float", floatKernels()});
+    all.push_back({"float", floatKernels().models});
     for (const Lanes& kernels : all) {
         ShadeBlock<float> block;
         load(cases, block);

@@ -112,7 +112,7 @@ TEST(LobeForms, AreTheSameInSse2)
     for (const LobeFormFacts& facts : lobeForms().subspan(1))
         for (Kernels& kernels : narrow.otherLobes)
             if (&kernels == &narrow.with(facts.form))
-                kernels.lanes = lanesKernelsSse2(facts.form)[0]; // phong is the first model that calls the lobe
+                kernels.lanes = lanesKernelsSse2().with(facts.form)[0]; // phong is the first model that calls the lobe
     for (const LobeFormFacts& facts : lobeForms().subspan(1)) {
         const auto rows = rowsAt(anglesFor(64.0));
         const auto wide = evaluate(phong, values, rows, {Precision::Simd, facts.form});

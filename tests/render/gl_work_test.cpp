@@ -93,6 +93,44 @@ TEST_P(GlWorkCounts, AProgramOnceLinkedIsKept)
     EXPECT_EQ(renderer().work().shadings, 6U);
 }
 
+/// A matte surface under lights far away asks for no P: its texture is there from the first model on that does, and stays.
+TEST_P(GlWorkCounts, PositionsAreKeptOnceSomethingAsksForThem)
+{
+    constexpr std::uint64_t samples = 64 * 48 * 4, pixels = 64 * 48;
+    Scene scene = twoLightScene("lambert_color");
+    scene.lights.pop_back(); // the near one
+    render(scene, small);
+    EXPECT_EQ(renderer().work().targetBytes, samples * (4 + 4 + 16) + pixels * (16 + 4 + 4));
+    const ViewSamples read = renderer().readSamples(); // are those of the view, P included
+    scene.surface.model = "hybrid";
+    render(scene, small);
+    EXPECT_EQ(figures(renderer().work()), (Figures{1, 2, 2, 2, 6, 2}));
+    EXPECT_EQ(renderer().work().targetBytes, samples * (4 + 4 + 16 + 16) + pixels * (16 + 4 + 4));
+    EXPECT_EQ(read.Px, renderer().readSamples().Px);
+    EXPECT_NE(read.Px, std::vector<double>(read.Px.size(), 0.0));
+    scene.surface.model = "lambert_color";
+    render(scene, small);
+    scene.surface.model = "hybrid";
+    render(scene, small);
+    EXPECT_EQ(figures(renderer().work()), (Figures{1, 2, 4, 4, 6, 2}));
+}
+
+TEST_P(GlWorkCounts, BytesAreUploadedOnceAndOnlyThoseOfWhatChanged)
+{
+    Scene scene = twoLightScene("hybrid");
+    render(scene, small);
+    const std::uint64_t mesh = 32 * scene.mesh->positions.size() + 12 * scene.mesh->triangles.size();
+    const std::uint64_t lights = 2 * 8 * sizeof(float);
+    EXPECT_EQ(renderer().work().uploadedBytes, mesh + lights);
+    scene.surface.values["n"] = {50.0};
+    scene.camera = orbited(scene.camera, 0.1, 0.0);
+    render(scene, small);
+    EXPECT_EQ(renderer().work().uploadedBytes, mesh + lights);
+    scene.lights[0].direction.x += 0.5;
+    render(scene, small);
+    EXPECT_EQ(renderer().work().uploadedBytes, mesh + 2 * lights);
+}
+
 TEST_P(GlWorkCounts, ADragOfASliderOnlyShades)
 {
     Scene scene = twoLightScene("hybrid");

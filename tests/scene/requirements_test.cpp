@@ -36,6 +36,29 @@ TEST(Requirements, LightsThatGiveNothingAreNotRequired)
     EXPECT_TRUE(requirementsOf(scene).directionalLights);
 }
 
+TEST(Requirements, AskWhereSamplesLieOnlyForViewersAndLightsThatAreNear)
+{
+    Scene scene = defaultScene();
+    scene.lights[1] = scene.lights[0]; // far away, both
+    const auto asks = [&](const char* model) {
+        scene.surface.model = model;
+        return requirementsOf(scene).positions;
+    };
+    EXPECT_FALSE(asks("lambert"));
+    EXPECT_FALSE(asks("lambert_color"));
+    EXPECT_TRUE(asks("hybrid"));
+    EXPECT_TRUE(asks("oren_nayar"));
+    EXPECT_TRUE(asks("mirror"));
+    EXPECT_TRUE(asks("table"));
+    scene.surface.values["sigma"] = {0.0}; // Lambert, but black from behind
+    EXPECT_TRUE(asks("oren_nayar"));
+    scene.lights[1].kind = LightKind::Point;
+    EXPECT_TRUE(asks("lambert"));
+    scene.lights[1].on = false;
+    EXPECT_FALSE(asks("lambert"));
+    EXPECT_THAT(leftOut(scene), Contains(HasSubstr("where the samples lie")));
+}
+
 TEST(LeftOut, SaysWhyAMirrorShowsNothingOfALightWithoutExtent)
 {
     Scene scene = defaultScene();

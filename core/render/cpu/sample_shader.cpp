@@ -73,9 +73,10 @@ void intensitiesAt(const Light& light, const std::array<T, blockSize>& distances
 
 template <class T>
 SampleShader<T>::SampleShader(const ViewSamples& samples, const Scene& scene, const Kernel<T>& kernel,
-                              std::vector<double> values)
+                              std::vector<double> values, bool looksAtViewer)
     : samples_(samples), kernel_(kernel), values_(std::move(values)), scene_(scene),
-      measured_(lookUpsIn(scene.surface.table.get()).in<T>()), paintsHoles_(showsHoles(scene))
+      measured_(lookUpsIn(scene.surface.table.get()).in<T>()), paintsHoles_(showsHoles(scene)),
+      looksAtViewer_(looksAtViewer)
 {
     for (const Light& light : shiningLights(scene)) {
         if (light.kind == LightKind::Point) {
@@ -98,9 +99,13 @@ template <class T> void SampleShader<T>::load(std::size_t first, std::size_t cou
     std::transform(&samples_.Nx[first], &samples_.Nx[first] + count, block.N.x.begin(), rounded);
     std::transform(&samples_.Ny[first], &samples_.Ny[first] + count, block.N.y.begin(), rounded);
     std::transform(&samples_.Nz[first], &samples_.Nz[first] + count, block.N.z.begin(), rounded);
+    block.sum.fill({});
+    if (!looksAtViewer_) {
+        block.V.fill({});
+        return;
+    }
     alignas(64) std::array<T, blockSize> distances;
     directionsTo(samples_.eye, samples_, first, count, block.V, distances);
-    block.sum.fill({});
 }
 
 template <class T>

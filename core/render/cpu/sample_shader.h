@@ -12,8 +12,9 @@ namespace reflectance {
 template <class T> class SampleShader {
 public:
     /// The kernel and its values are the scene's, or what the scene requires of them; samples and scene must outlive the
-    /// shader.
-    SampleShader(const ViewSamples& samples, const Scene& scene, const Kernel<T>& kernel, std::vector<double> values);
+    /// shader. A kernel that does not look at the viewer gets no V.
+    SampleShader(const ViewSamples& samples, const Scene& scene, const Kernel<T>& kernel, std::vector<double> values,
+                 bool looksAtViewer);
 
     /// Radiance of samples first .. first + count, count <= blockSize, into block.sum.
     void shade(std::size_t first, std::size_t count, ShadeBlock<T>& block) const;
@@ -35,7 +36,7 @@ private:
     std::vector<Light> point_;
     const Scene& scene_;
     MeasuredSurface<T> measured_;
-    bool paintsHoles_ = false;
+    bool paintsHoles_ = false, looksAtViewer_ = true;
     Surroundings<T> surroundings_; ///< without a function where the model or the scene has no environment
 };
 

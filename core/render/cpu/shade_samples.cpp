@@ -1,5 +1,6 @@
 // Shades every sample of every pixel by itself.
 #include "core/base/check.h"
+#include "core/reflectance/viewer.h"
 #include "core/render/cpu/pixel_runs.h"
 #include "core/render/cpu/sample_shader.h"
 #include "core/scene/requirements.h"
@@ -29,10 +30,11 @@ void sumSamples(const ViewSamples& samples, const SampleShader<T>& shader, std::
 }
 
 template <class T>
-void shadeWith(const Kernel<T>& kernel, const std::vector<double>& values, const ViewSamples& samples, RowBand band,
+void shadeWith(const Kernel<T>& kernel, const RequiredModel& required, const ViewSamples& samples, RowBand band,
                const Scene& scene, Stretch stretch, Image& image)
 {
-    const SampleShader<T> shader(samples, scene, kernel, values);
+    const bool viewer = required.form.facing || looksAtViewer(required.model->text);
+    const SampleShader<T> shader(samples, scene, kernel, required.values, viewer);
     const auto sum = [&](std::size_t first, std::span<Vec3<T>> sums) { sumSamples<T>(samples, shader, first, sums); };
     shadePixelRuns<T>(samples, band, scene, stretch, sum, image);
 }
@@ -47,10 +49,10 @@ void shadeBand(const ViewSamples& samples, RowBand band, const Scene& scene, con
     const bool otherLobe = arithmetic.lobe != LobeForm::Conditioned && required.model->text.usesLobe;
     const Kernels& kernels = otherLobe ? required.model->with(arithmetic.lobe) : required.model->with(required.form);
     if (arithmetic.precision == Precision::Double)
-        shadeWith(kernels.exact, required.values, samples, band, scene, stretch, image);
+        shadeWith(kernels.exact, required, samples, band, scene, stretch, image);
     else
-        shadeWith(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes, required.values, samples,
-                  band, scene, stretch, image);
+        shadeWith(arithmetic.precision == Precision::Float ? kernels.single : kernels.lanes, required, samples, band,
+                  scene, stretch, image);
 }
 
 } // namespace reflectance

@@ -25,8 +25,10 @@ Result<void> EnvironmentMap::show(const std::shared_ptr<const Image>& picture)
                      " is larger than this driver's textures (" + std::to_string(limit) +
                      "); use a smaller picture or --backend cpu"};
     gl.BindTexture(GL_TEXTURE_2D, texture_.id());
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, picture->width, picture->height, 0, GL_RGB, GL_FLOAT, picture->rgb.data());
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, picture->width, picture->height, 0, GL_RGB, GL_FLOAT,
+                  picture->rgb.data());
     picture_ = picture;
+    uploadedBytes_ += picture->rgb.size() * sizeof(float);
     return {};
 }
 

@@ -72,6 +72,8 @@ struct GlRenderer::State {
     {
         leaveState(functions->gl());
         work.tableUploads = shading.tableUploads();
+        work.uploadedBytes = meshBytes + shading.uploadedBytes();
+        work.targetBytes = visibility.bytes() + shading.linear().bytes() + sensor.developed().bytes();
         work.programLinks = 2 + sensor.programs() + shading.programs() + (evaluation ? evaluation->programs() : 0);
         work.programsLoaded = linker->loaded();
         const auto complaint = functions->complaint();
@@ -90,6 +92,7 @@ struct GlRenderer::State {
 
     // The inputs of the last run of each pass; none until it ran, and after a pass before it ran anew.
     std::shared_ptr<const Mesh> uploaded;
+    std::uint64_t meshBytes = 0; ///< of all meshes that were uploaded
     std::optional<RenderSettings> allocated;
     std::optional<ViewInputs> seen;
     std::optional<ShadingInputs> shaded;
@@ -139,6 +142,7 @@ Result<void> GlRenderer::State::see(const ViewInputs& view)
         if (auto done = mesh.upload(*view.mesh); !done)
             return done;
         uploaded = view.mesh;
+        meshBytes += mesh.bytes();
         ++work.meshUploads;
     }
     visibility.draw(mesh, view.camera, view.settings);
@@ -171,6 +175,13 @@ Result<void> GlRenderer::State::develop(const Sensor& settings)
 
 Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings& settings, const GlShading& how)
 {
+    const ShadingInputs inputs = shadingInputsOf(scene, how);
+    // Once needed they stay, so that a slider that goes to 0 and back does not allocate at every turn.
+    if (inputs.requirements.positions && !visibility.keepsPositions()) {
+        visibility.keepPositions();
+        work.allocations += allocated == settings ? 1 : 0;
+        seen.reset();
+    }
     if (allocated != settings) {
         if (auto fit = fits(settings); !fit)
             return fit;
@@ -181,7 +192,6 @@ Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings&
         if (auto done = see(view); !done)
             return done;
     }
-    const ShadingInputs inputs = shadingInputsOf(scene, how);
     if (shaded != inputs) {
         if (auto done = shade(inputs); !done)
             return done;
@@ -241,7 +251,14 @@ ViewSamples GlRenderer::readSamples()
 {
     CHECK_EQ(state_->seen.has_value(), true);
     const ViewInputs& view = *state_->seen;
-    return state_->reader.readSamples(state_->visibility, view.settings, view.camera.eye);
+    State& s = *state_;
+    if (s.visibility.keepsPositions())
+        return s.reader.readSamples(s.visibility.triangles(), s.visibility.surface(), view.settings, view.camera.eye);
+    prepareState(s.functions->gl());
+    const RenderTarget surface = s.visibility.located(s.mesh, view.camera, view.settings);
+    ViewSamples samples = s.reader.readSamples(s.visibility.triangles(), surface, view.settings, view.camera.eye);
+    leaveState(s.functions->gl());
+    return samples;
 }
 
 void GlRenderer::finish()

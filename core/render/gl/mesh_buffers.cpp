@@ -33,8 +33,9 @@ Result<void> fits(const Gl& gl, const Mesh& mesh)
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
     const std::size_t texels = std::max(2 * mesh.positions.size(), 3 * mesh.triangles.size());
     if (texels > static_cast<std::size_t>(limit))
-        return Error{"a mesh of " + std::to_string(mesh.triangles.size()) + " triangles is larger than OpenGL holds here (" +
-                     std::to_string(limit / 3) + "); use --backend cpu"};
+        return Error{"a mesh of " + std::to_string(mesh.triangles.size()) +
+                     " triangles is larger than OpenGL holds here (" + std::to_string(limit / 3) +
+                     "); use --backend cpu"};
     return {};
 }
 
@@ -73,6 +74,7 @@ Result<void> MeshBuffers::upload(const Mesh& mesh)
     gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(Mesh::Triangle)),
                   mesh.triangles.data(), GL_STATIC_DRAW);
     gl.BindVertexArray(0);
+    bytes_ = vertices.size() * sizeof(Vertex) + mesh.triangles.size() * sizeof(Mesh::Triangle);
     indexCount_ = static_cast<GLsizei>(3 * mesh.triangles.size());
     return {};
 }

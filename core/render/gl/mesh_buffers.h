@@ -14,6 +14,7 @@ public:
     /// Refuses a mesh that is larger than this driver's buffer textures.
     [[nodiscard]] Result<void> upload(const Mesh& mesh);
     void draw() const;
+    [[nodiscard]] std::uint64_t bytes() const { return bytes_; } ///< of the mesh that is there
 
     /// Two RGBA32F texels per vertex: position, normal.
     void bindVertices(int unit) const;
@@ -27,6 +28,7 @@ private:
     GlTexture vertexTexels_;
     GlTexture cornerTexels_;
     GLsizei indexCount_ = 0;
+    std::uint64_t bytes_ = 0;
 };
 
 } // namespace reflectance

@@ -20,6 +20,18 @@ Transfer transferOf(GLenum format)
     }
 }
 
+std::uint64_t bytesPerTexel(GLenum format)
+{
+    switch (format) {
+    case GL_RGBA32F:
+        return 16;
+    case GL_RGBA16F:
+        return 8;
+    default:
+        return 4;
+    }
+}
+
 } // namespace
 
 RenderTarget::RenderTarget(const Gl& gl, std::vector<GLenum> formats, WithDepth depth)
@@ -60,6 +72,14 @@ void RenderTarget::resize(int width, int height)
     }
     width_ = width;
     height_ = height;
+}
+
+std::uint64_t RenderTarget::bytes() const
+{
+    std::uint64_t perTexel = depth_.size() * sizeof(float);
+    for (const GLenum format : formats_)
+        perTexel += bytesPerTexel(format);
+    return perTexel * static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_);
 }
 
 void RenderTarget::shareDepthOf(const RenderTarget& other)

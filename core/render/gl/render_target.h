@@ -3,6 +3,7 @@
 
 #include "core/render/gl/gl_objects.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace reflectance {
@@ -28,8 +29,10 @@ public:
     void bindAsInput(int texture, int unit) const;
 
     [[nodiscard]] GLuint texture(int index) const { return textures_[static_cast<std::size_t>(index)].id(); }
+    [[nodiscard]] std::size_t textures() const { return textures_.size(); }
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] std::uint64_t bytes() const; ///< of the textures and the depth
 
 private:
     GlFramebuffer framebuffer_;

@@ -61,18 +61,19 @@ Image SampleReader::readImage(const RenderTarget& linear)
     return image;
 }
 
-ViewSamples SampleReader::readSamples(const VisibilityPass& seen, const RenderSettings& settings, const Vec3d& eye)
+ViewSamples SampleReader::readSamples(const RenderTarget& triangles, const RenderTarget& surface,
+                                      const RenderSettings& settings, const Vec3d& eye)
 {
     ViewSamples samples;
     samples.settings = settings;
     samples.eye = eye;
     samples.firstOfPixel.reserve(Image::pixelCount(settings.width, settings.height) + 1);
     const int k = settings.samplesPerAxis;
-    const int across = seen.surface().width();
+    const int across = surface.width();
     for (int row = settings.height - 1; row >= 0; --row) { // one row of pixels at a time: k rows of samples
-        readTriangles(seen.triangles(), row * k, k);
-        readRows(seen.surface(), 0, row * k, k, first_);
-        readRows(seen.surface(), 1, row * k, k, second_);
+        readTriangles(triangles, row * k, k);
+        readRows(surface, 0, row * k, k, first_);
+        readRows(surface, 1, row * k, k, second_);
         for (int x = 0; x < settings.width; ++x) {
             samples.firstOfPixel.push_back(static_cast<std::uint32_t>(samples.count()));
             for (int j = k - 1; j >= 0; --j)

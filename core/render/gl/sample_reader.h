@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/image/image.h"
-#include "core/render/gl/visibility_pass.h"
+#include "core/render/gl/render_target.h"
+#include "core/render/settings.h"
 #include "core/render/view_samples.h"
 
 #include <vector>
@@ -17,7 +18,9 @@ public:
     [[nodiscard]] Image readImage(const RenderTarget& linear);
 
     /// The samples that met the object, ordered by pixel; within a pixel by rows from the top, as the CPU renderer does.
-    [[nodiscard]] ViewSamples readSamples(const VisibilityPass& seen, const RenderSettings& settings, const Vec3d& eye);
+    /// `surface` holds N and P.
+    [[nodiscard]] ViewSamples readSamples(const RenderTarget& triangles, const RenderTarget& surface,
+                                          const RenderSettings& settings, const Vec3d& eye);
 
 private:
     /// `rows` rows of RGBA from `firstRow` (0 is the bottom) of a texture.

@@ -24,6 +24,7 @@ std::vector<std::string> definesFor(const Requirements& r, Place place)
     define(r.environmentBackground, "ENVIRONMENT_BACKGROUND");
     define(r.environmentMap, "ENVIRONMENT_MAP");
     define(r.holes, "TABLE_HOLES");
+    define(r.positions, "POSITIONS");
     define(place == Place::Pixel, "ONCE_PER_PIXEL");
     return names;
 }
@@ -129,6 +130,7 @@ void ShadingPass::setLights(const GlProgram& program, const std::vector<float>& 
     if (texels != uploadedLights_) {
         lights_.upload(texels);
         uploadedLights_ = texels;
+        lightBytes_ += texels.size() * sizeof(float);
     }
     lights_.bindAsInput(Unit::Lights);
     program.set("lightTexels", Unit::Lights);
@@ -167,7 +169,8 @@ Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs&
     const GlProgram& program = **found;
     program.use();
     samples.bindAsInput(0, Unit::Normals);
-    samples.bindAsInput(1, Unit::Positions);
+    if (inputs.requirements.positions)
+        samples.bindAsInput(1, Unit::Positions);
     program.set("normals", Unit::Normals);
     program.set("positions", Unit::Positions);
     program.set("samplesPerAxis", settings.samplesPerAxis);

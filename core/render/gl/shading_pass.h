@@ -28,6 +28,11 @@ public:
     [[nodiscard]] const RenderTarget& linear() const { return linear_; }
     [[nodiscard]] std::size_t programs() const { return programs_.size(); }
     [[nodiscard]] std::uint64_t tableUploads() const { return table_.uploads(); }
+    /// Of lights, tables and surroundings.
+    [[nodiscard]] std::uint64_t uploadedBytes() const
+    {
+        return lightBytes_ + table_.uploadedBytes() + environmentMap_.uploadedBytes();
+    }
 
 private:
     [[nodiscard]] Result<const GlProgram*> programFor(const Requirements& requirements, Place place);
@@ -49,6 +54,7 @@ private:
     TableBuffer table_;
     GlProgramCache programs_;
     std::vector<float> uploadedLights_;
+    std::uint64_t lightBytes_ = 0;
 };
 
 } // namespace reflectance

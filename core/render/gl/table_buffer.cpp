@@ -20,6 +20,7 @@ Result<void> TableBuffer::upload(const TableTexels& texels)
     gl.BindTexture(GL_TEXTURE_BUFFER, texture_.id());
     gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_.id());
     ++uploads_;
+    uploadedBytes_ += texels.numbers.size() * sizeof(float);
     return {};
 }
 

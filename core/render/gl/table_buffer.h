@@ -16,6 +16,7 @@ public:
                                     int unit);
 
     [[nodiscard]] std::uint64_t uploads() const { return uploads_; }
+    [[nodiscard]] std::uint64_t uploadedBytes() const { return uploadedBytes_; }
 
 private:
     [[nodiscard]] Result<void> upload(const TableTexels& texels);
@@ -24,6 +25,7 @@ private:
     GlTexture texture_;
     std::shared_ptr<const MeasuredTable> table_;
     std::uint64_t uploads_ = 0;
+    std::uint64_t uploadedBytes_ = 0;
 };
 
 } // namespace reflectance

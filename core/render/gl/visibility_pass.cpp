@@ -9,7 +9,7 @@ namespace reflectance {
 
 VisibilityPass::VisibilityPass(const Gl& gl, GlProgram rasterising, GlProgram locating)
     : gl_(&gl), rasterising_(std::move(rasterising)), locating_(std::move(locating)),
-      triangles_(gl, {GL_R32UI}, WithDepth::Yes), surface_(gl, {GL_RGBA32F, GL_RGBA32F}, WithDepth::No), noVertices_(gl)
+      triangles_(gl, {GL_R32UI}, WithDepth::Yes), surface_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl)
 {
     surface_.shareDepthOf(triangles_);
 }
@@ -35,10 +35,30 @@ void VisibilityPass::resize(const RenderSettings& settings)
     surface_.resize(width, height);
 }
 
+void VisibilityPass::keepPositions()
+{
+    const int width = surface_.width();
+    const int height = surface_.height();
+    surface_ = RenderTarget(*gl_, {GL_RGBA32F, GL_RGBA32F}, WithDepth::No);
+    surface_.shareDepthOf(triangles_);
+    if (width > 0)
+        surface_.resize(width, height);
+}
+
+RenderTarget VisibilityPass::located(const MeshBuffers& mesh, const Camera& camera,
+                                     const RenderSettings& settings) const
+{
+    RenderTarget surface(*gl_, {GL_RGBA32F, GL_RGBA32F}, WithDepth::No);
+    surface.shareDepthOf(triangles_);
+    surface.resize(surface_.width(), surface_.height());
+    locate(mesh, camera, settings, surface);
+    return surface;
+}
+
 void VisibilityPass::draw(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings) const
 {
     rasterise(mesh, camera);
-    locate(mesh, camera, settings);
+    locate(mesh, camera, settings, surface_);
 }
 
 void VisibilityPass::rasterise(const MeshBuffers& mesh, const Camera& camera) const
@@ -59,7 +79,8 @@ void VisibilityPass::rasterise(const MeshBuffers& mesh, const Camera& camera) co
     gl_->Disable(GL_DEPTH_TEST);
 }
 
-void VisibilityPass::locate(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings) const
+void VisibilityPass::locate(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings,
+                            const RenderTarget& surface) const
 {
     enum Unit { Triangles, Corners, Vertices };
     locating_.use();
@@ -71,10 +92,11 @@ void VisibilityPass::locate(const MeshBuffers& mesh, const Camera& camera, const
     locating_.set("vertices", Unit::Vertices);
     locating_.set("eye", camera.eye);
     setRays(locating_, camera, settings);
-    surface_.bind();
+    surface.bind();
     constexpr float nothing[] = {0.0F, 0.0F, 0.0F, 0.0F};
     gl_->ClearBufferfv(GL_COLOR, 0, nothing);
-    gl_->ClearBufferfv(GL_COLOR, 1, nothing);
+    if (surface.textures() == 2)
+        gl_->ClearBufferfv(GL_COLOR, 1, nothing);
     // At the depth of the cleared buffer: before it lies what was hit, and only there the shader has to run.
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthFunc(GL_GREATER);

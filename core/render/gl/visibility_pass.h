@@ -15,18 +15,30 @@ public:
     [[nodiscard]] static Result<VisibilityPass> create(ProgramLinker& linker);
 
     void resize(const RenderSettings& settings);
+
+    /// From the next draw on P is kept beside N; before, there is no texture of it.
+    void keepPositions();
+    [[nodiscard]] bool keepsPositions() const { return surface_.textures() == 2; }
+
     void draw(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings) const;
+
+    [[nodiscard]] std::uint64_t bytes() const { return triangles_.bytes() + surface_.bytes(); }
 
     /// R32UI: 1 + the triangle's number, 0 where nothing was hit.
     [[nodiscard]] const RenderTarget& triangles() const { return triangles_; }
-    /// Texture 0: N and hit flag; texture 1: P. See shaders/gl/surface.frag.
+    /// What surface() would hold if positions were kept, of the view that was drawn last.
+    [[nodiscard]] RenderTarget located(const MeshBuffers& mesh, const Camera& camera,
+                                       const RenderSettings& settings) const;
+
+    /// Texture 0: N and hit flag; texture 1, where it is kept: P. See shaders/gl/surface.frag.
     [[nodiscard]] const RenderTarget& surface() const { return surface_; }
 
 private:
     VisibilityPass(const Gl& gl, GlProgram rasterising, GlProgram locating);
 
     void rasterise(const MeshBuffers& mesh, const Camera& camera) const;
-    void locate(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings) const;
+    void locate(const MeshBuffers& mesh, const Camera& camera, const RenderSettings& settings,
+                const RenderTarget& surface) const;
 
     const Gl* gl_;
     GlProgram rasterising_;

@@ -3,6 +3,7 @@
 #include "core/reflectance/kernel_tables.h"
 #include "core/render/cpu/cpu_renderer.h"
 #include "core/render/gl/gl_renderer.h"
+#include "core/scene/requirements.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +11,8 @@
 
 namespace reflectance {
 namespace {
+
+constexpr std::uint64_t bytesOfPositions = 16; ///< a texel of four floats per sample
 
 using Clock = std::chrono::steady_clock;
 
@@ -110,6 +113,9 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
     if (!last)
         return last.error();
     rendered.image = renderer->readLinear();
+    if (plan.specialised && !requirementsOf(scene, {Precision::Glsl, plan.lobe}).positions)
+        rendered.leftOutBytes = bytesOfPositions * Image::pixelCount(settings.width, settings.height) *
+                                static_cast<std::uint64_t>(settings.samplesPerAxis * settings.samplesPerAxis);
     return rendered;
 }
 

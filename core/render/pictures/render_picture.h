@@ -8,6 +8,7 @@
 #include "core/render/settings.h"
 #include "core/scene/scene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -23,9 +24,9 @@ struct RenderPlan {
     int frames = 1;              ///< shadings; more than one for timing
     Place place = Place::Sample; ///< where the model is evaluated; the GL renderer knows Sample and Pixel
     LobeForm lobe = LobeForm::Conditioned;
-    bool specialised = true;  ///< see Arithmetic
+    bool specialised = true;        ///< see Arithmetic
     std::filesystem::path programs; ///< where linked shader programs are kept; empty: nowhere
-    bool alsoGeneral = false; ///< time the general path as well, with more than one frame
+    bool alsoGeneral = false;       ///< time the general path as well, with more than one frame
 };
 
 struct Rendered {
@@ -35,6 +36,7 @@ struct Rendered {
     double firstFrameMilliseconds = 0.0; ///< visibility and shading, from nothing
     double shadingMilliseconds = 0.0;    ///< shading again: the median of the frames after the first; 0 for one frame
     double generalMilliseconds = 0.0;    ///< the same by the general path; 0 where it was not timed
+    std::uint64_t leftOutBytes = 0;      ///< of textures that the scene does not require
 };
 
 /// `progress` lets another thread watch and stop the CPU renderer; the Error then says that it was stopped.

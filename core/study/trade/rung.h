@@ -22,14 +22,15 @@ enum class RungAxis {
     Resolution,
     Table,
     Lights,
+    LightColour,
     Environment
 };
 
 [[nodiscard]] constexpr std::string_view nameOf(RungAxis axis)
 {
-    constexpr std::string_view names[] = {"precision", "colour matrix", "lobe",       "requirements",
-                                          "model",     "shading place", "samples",    "resolution",
-                                          "table",     "lights",        "environment"};
+    constexpr std::string_view names[] = {"precision", "colour matrix", "lobe",         "requirements",
+                                          "model",     "shading place", "samples",      "resolution",
+                                          "table",     "lights",        "light colour", "environment"};
     return names[static_cast<int>(axis)];
 }
 

@@ -75,8 +75,13 @@ std::span<const Rung> rungs()
         {"lights_fiftieth", RungAxis::Lights, "lights that add at most 1/50 of white", true, true, withoutFaintLights,
          50},
 
+        {"one_light_colour", RungAxis::LightColour,
+         "nothing but an order of products: K I is formed once for all lights", true, true, oneLightColour},
+
         {"one_colour_around", RungAxis::Environment, "all but the mean of the surroundings", true, true,
          oneColourAround},
+        {"nine_coefficients", RungAxis::Environment, "all of the surroundings but nine spherical harmonics", true, true,
+         nineCoefficients},
         {"coarse_surroundings", RungAxis::Environment, "15 of 16 texels of the surroundings", true, true,
          coarseSurroundings, 4},
     };

@@ -2,6 +2,7 @@
 
 #include "core/base/check.h"
 #include "core/image/upscale.h"
+#include "core/scene/requirements.h"
 #include "core/study/cost/timing.h"
 
 #include <algorithm>
@@ -9,12 +10,12 @@
 namespace reflectance {
 namespace {
 
-/// Textures that GL keeps for a view: triangle, depth, N and P per sample; the linear and the developed picture.
-std::size_t glBytes(const RenderSettings& settings, bool halfBuffer)
+/// Textures that GL keeps for a view: triangle, depth, N and, where needed, P per sample; the linear and the developed picture.
+std::size_t glBytes(const RenderSettings& settings, bool halfBuffer, bool positions)
 {
     const std::size_t pixels = Image::pixelCount(settings.width, settings.height);
     const auto perPixel = static_cast<std::size_t>(settings.samplesPerAxis * settings.samplesPerAxis);
-    return pixels * (perPixel * (4 + 4 + 16 + 16) + (halfBuffer ? 8 : 16) + 4);
+    return pixels * (perPixel * (4 + 4 + 16 + (positions ? 16 : 0)) + (halfBuffer ? 8 : 16) + 4);
 }
 
 std::size_t pictureBytes(const RenderSettings& settings)
@@ -74,7 +75,7 @@ Result<Prepared> Workshop::prepare(const Recipe& recipe)
             static_cast<void>(drawOnGl(prepared));
             gl_->finish();
         });
-        prepared.bytes = glBytes(drawn, recipe.halfBuffer);
+        prepared.bytes = glBytes(drawn, recipe.halfBuffer, requirementsOf(recipe.scene, recipe.arithmetic()).positions);
         return prepared;
     }
     const Seen& view = seen(drawn);

@@ -77,8 +77,22 @@ TEST(StatusLine, SaysWhatWasLeftOut)
     state.scene.environment.kind = EnvironmentKind::Studio;
     const auto parts = priceParts(state);
     ASSERT_FALSE(parts.empty());
-    EXPECT_EQ(parts[0].brief, "1 left out");
+    EXPECT_EQ(parts[0].brief, "2 left out");
     EXPECT_THAT(parts[0].about, testing::HasSubstr("environment"));
+    EXPECT_THAT(parts[0].about, testing::HasSubstr("where the samples lie"));
+    EXPECT_THAT(parts[0].about, testing::Not(testing::HasSubstr("Shading with everything")));
+}
+
+TEST(StatusLine, SaysWhatLeavingOutSaves)
+{
+    ExplorerState state;
+    state.scene.surface.values["ks"] = {0.0};
+    state.priceTags = {{"double", 8.0, 0.0, 0.0, -1, -1}, {"simd", 1.5, 1e-6, 1e-8, 5, 7, 2.0}};
+    EXPECT_THAT(priceParts(state)[0].full, testing::EndsWith(", saves 25 %"));
+    EXPECT_THAT(priceParts(state)[0].about, testing::HasSubstr("in simd: 2 ms; without: 1.5 ms, 25 % less."));
+    state.priceTags[1].generalMilliseconds = 1.4; // noise
+    EXPECT_THAT(priceParts(state)[0].full, testing::Not(testing::HasSubstr("saves")));
+    EXPECT_THAT(priceParts(state)[0].about, testing::HasSubstr("no less."));
 }
 
 } // namespace

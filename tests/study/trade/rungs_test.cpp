@@ -120,6 +120,29 @@ TEST(Rungs, TheColourUnderWhiteIsRightUnderWhite)
     EXPECT_GT(largestChange(before, diagonal), 0.02) << "the planted fault: without the off-diagonals white is darker";
 }
 
+TEST(Rungs, OneLightColourIsTheSamePictureInEveryArithmeticButForRoundings)
+{
+    Scene scene = shinyScene();
+    for (Light& light : scene.lights)
+        light.intensity = light.intensity.x * Vec3d(1.0, 0.75, 0.5);
+    const Rung& rung = *findRung("one_light_colour");
+    for (const Precision precision : {Precision::Double, Precision::Float, Precision::Simd}) {
+        Recipe before{scene, smallSettings};
+        before.precision = precision;
+        Recipe after = before;
+        const Applied applied = applyRung(rung, after);
+        ASSERT_TRUE(applied.bound) << applied.skipped;
+        EXPECT_LE(largestChange(before, after), *applied.bound + stored) << nameOf(precision);
+    }
+    // The planted fault: lights of two colours taken for one would be seen.
+    Recipe coloured{scene, smallSettings};
+    coloured.scene.lights[0].intensity = {0.9, 0.7, 0.4};
+    EXPECT_THAT(applyRung(rung, coloured).skipped, HasSubstr("different colours"));
+    EXPECT_GT(largestChange(Recipe{scene, smallSettings}, coloured), 1e-3);
+    coloured.scene.lights.clear();
+    EXPECT_THAT(applyRung(rung, coloured).skipped, HasSubstr("no light"));
+}
+
 TEST(Rungs, RoughSurfacesKeepTheirBrightnessSeenFromTheLight)
 {
     Scene scene = shinyScene();

@@ -36,6 +36,10 @@ std::vector<Scene> manyScenes()
     primary.surface.convention = Convention::Primary;
     primary.surface.W = {0.8, 0.15, 0.05, 0.2, 0.6, 0.2, 0.05, 0.15, 0.8};
     scenes.push_back(primary);
+    Scene alike = shinyScene();
+    for (Light& light : alike.lights)
+        light.intensity = light.intensity.x * Vec3d(1.0, 0.75, 0.5);
+    scenes.push_back(alike);
     Scene table = shinyScene();
     table.surface.model = "table";
     const Model& rough = **findModel("oren_nayar");

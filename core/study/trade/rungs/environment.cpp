@@ -1,7 +1,6 @@
+#include "core/illumination/even_directions.h"
+#include "core/illumination/harmonics.h"
 #include "core/study/trade/rungs/rungs.h"
-
-#include <cmath>
-#include <numbers>
 
 namespace reflectance::rung {
 namespace {
@@ -27,16 +26,25 @@ Applied oneColourAround(int /*amount*/, Recipe& recipe)
         return {"the surroundings are one colour already"};
     constexpr int directions = 20000;
     Vec3d sum;
-    for (int i = 0; i < directions; ++i) {
-        const double y = 1.0 - 2.0 * (i + 0.5) / directions;
-        const double turn = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
-        const double across = std::sqrt(1.0 - y * y);
-        sum += radianceFrom(recipe.scene.environment, Vec3d(across * std::cos(turn), y, across * std::sin(turn)));
-    }
+    for (int i = 0; i < directions; ++i)
+        sum += radianceFrom(recipe.scene.environment, evenDirection(i, directions));
     Environment flat;
     flat.kind = EnvironmentKind::Constant;
     flat.radiance = sum / static_cast<double>(directions);
     recipe.scene.environment = flat;
+    return {};
+}
+
+/// Spherical harmonics up to the second order in the surroundings' place.
+Applied nineCoefficients(int /*amount*/, Recipe& recipe)
+{
+    if (const std::string why = unseen(recipe.scene); !why.empty())
+        return {why};
+    if (recipe.scene.environment.kind == EnvironmentKind::Constant)
+        return {"the surroundings are one colour already"};
+    const Environment around = recipe.scene.environment;
+    recipe.scene.environment =
+        environmentOf(projected([&around](const Vec3d& direction) { return radianceFrom(around, direction); }));
     return {};
 }
 

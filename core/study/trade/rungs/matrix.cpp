@@ -1,4 +1,5 @@
 #include "core/study/trade/bounds.h"
+#include "core/study/trade/rungs/matrix_rows.h"
 #include "core/study/trade/rungs/rungs.h"
 
 #include <algorithm>
@@ -6,32 +7,6 @@
 
 namespace reflectance::rung {
 namespace {
-
-using Rows = std::array<double, 9>;
-
-Rows rowsOf(const Scene& scene)
-{
-    Rows K{};
-    const Parameter& parameter = *modelOf(scene).text.find("K");
-    std::copy_n(valuesOf(scene).begin() + static_cast<std::ptrdiff_t>(parameter.offset), 9, K.begin());
-    return K;
-}
-
-/// The same picture with K and lights in the sensor convention.
-void turnToSensorConvention(Scene& scene)
-{
-    if (scene.surface.convention == Convention::Sensor)
-        return;
-    const Rows K = rowsOf(scene);
-    scene.lights = shiningLights(scene);
-    scene.surface.convention = Convention::Sensor;
-    scene.surface.values["K"].assign(K.begin(), K.end());
-}
-
-bool isDiagonal(const Rows& K)
-{
-    return K[1] == 0.0 && K[2] == 0.0 && K[3] == 0.0 && K[5] == 0.0 && K[6] == 0.0 && K[7] == 0.0;
-}
 
 bool isGrey(const Rows& K)
 {
@@ -47,14 +22,6 @@ Applied changedBy(const Rows& before, const Recipe& recipe)
     if (const auto I = mostArriving(recipe.scene))
         applied.bound = largestOf(change, *I);
     return applied;
-}
-
-/// Why a scene has no K to simplify; empty where it has.
-std::string withoutK(const Scene& scene)
-{
-    const ModelText& text = modelOf(scene).text;
-    const Parameter* K = text.find("K");
-    return K && K->kind == ParameterKind::Matrix ? "" : text.name + " has no K";
 }
 
 } // namespace

@@ -31,9 +31,12 @@ Applied asTable(int amount, Recipe& recipe);
 Applied thinnedTable(int every, Recipe& recipe);
 Applied interpolatedBy(int interpolation, Recipe& recipe);
 
+Applied oneLightColour(int amount, Recipe& recipe);
+
 Applied withoutFaintLights(int share, Recipe& recipe);
 
 Applied oneColourAround(int amount, Recipe& recipe);
+Applied nineCoefficients(int amount, Recipe& recipe);
 Applied coarseSurroundings(int factor, Recipe& recipe);
 
 } // namespace reflectance::rung

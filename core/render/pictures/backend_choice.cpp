@@ -1,0 +1,151 @@
+#include "core/render/pictures/backend_choice.h"
+
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/base/version.h"
+#include "core/reflectance/kernel_tables.h"
+#include "core/render/gl/gl_renderer.h"
+
+#include <algorithm>
+#include <bit>
+#include <thread>
+
+namespace reflectance {
+namespace {
+
+constexpr std::size_t mostTriangles = 10'000'000;
+constexpr std::size_t mostSamples = 20'000'000;
+
+std::size_t samplesOf(const RenderSettings& settings)
+{
+    return Image::pixelCount(settings.width, settings.height) *
+           static_cast<std::size_t>(settings.samplesPerAxis * settings.samplesPerAxis);
+}
+
+/// Times hold for this program on this machine.
+std::string firstLine()
+{
+    return "reflectance backends 1, " + std::string(programVersion()) + ", " +
+           std::to_string(std::thread::hardware_concurrency()) + " cores, " + lanesName();
+}
+
+bool isSoftware(std::string_view renderer)
+{
+    constexpr std::string_view names[] = {"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software"};
+    return std::any_of(std::begin(names), std::end(names),
+                       [&](std::string_view name) { return renderer.find(name) != std::string_view::npos; });
+}
+
+/// Nothing where no context opens.
+std::optional<std::string> rendererHere(ContextKind kind)
+{
+    const auto context = openHeadless(kind);
+    if (!context)
+        return std::nullopt;
+    const auto renderer = GlRenderer::create((*context)->loader());
+    return renderer ? std::optional(renderer->description()) : std::nullopt;
+}
+
+std::optional<double> wholeTime(const Scene& scene, const RenderSettings& settings, RenderPlan plan, Backend backend,
+                                Progress* progress)
+{
+    plan.backend = backend;
+    plan.alsoGeneral = false;
+    const auto rendered = renderPicture(scene, settings, plan, progress);
+    if (!rendered)
+        return std::nullopt;
+    return rendered->firstFrameMilliseconds + (plan.frames - 1) * rendered->shadingMilliseconds;
+}
+
+/// GL twice where that takes no time: its first picture also compiles shaders, which its driver keeps.
+std::optional<BackendTimes> measured(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
+                                     Progress* progress)
+{
+    constexpr double soon = 300.0;
+    auto gl = wholeTime(scene, settings, plan, Backend::Gl, progress);
+    if (gl && *gl < soon)
+        gl = wholeTime(scene, settings, plan, Backend::Gl, progress);
+    const auto cpu = wholeTime(scene, settings, plan, Backend::Cpu, progress);
+    if (!gl || !cpu)
+        return std::nullopt;
+    return BackendTimes{*gl, *cpu};
+}
+
+/// Four words: the class's three and the two times.
+std::optional<BackendTimes> timesOfLine(std::string_view line, const std::string& sizeClass)
+{
+    if (!line.starts_with(sizeClass + " "))
+        return std::nullopt;
+    const auto words = split(line.substr(sizeClass.size() + 1), ' ');
+    if (words.size() != 2)
+        return std::nullopt;
+    const auto gl = parseNumber(words[0]);
+    const auto cpu = parseNumber(words[1]);
+    if (!gl || !cpu || !(*gl > 0.0) || !(*cpu > 0.0))
+        return std::nullopt;
+    return BackendTimes{*gl, *cpu};
+}
+
+} // namespace
+
+std::string sizeClass(std::size_t triangles, const RenderSettings& settings, int frames)
+{
+    const auto step = [](std::size_t count) { return std::to_string((std::bit_width(count) + 1) / 2); };
+    return "triangles-4^" + step(triangles) + " samples-4^" + step(samplesOf(settings)) +
+           (frames > 1 ? " frames" : " frame");
+}
+
+BackendChoice soonerOf(const BackendTimes& times)
+{
+    const std::string why =
+        "measured here once: GL " + general(times.gl, 3) + " ms, CPU " + general(times.cpu, 3) + " ms";
+    return {times.cpu < 0.8 * times.gl ? Backend::Cpu : Backend::Auto, why};
+}
+
+std::optional<BackendTimes> timesIn(std::string_view file, const std::string& sizeClass)
+{
+    const auto lines = split(file, '\n');
+    if (lines.empty() || lines.front() != firstLine())
+        return std::nullopt;
+    for (const std::string_view line : lines)
+        if (const auto times = timesOfLine(line, sizeClass))
+            return times;
+    return std::nullopt;
+}
+
+std::string withTimes(std::string_view file, const std::string& sizeClass, const BackendTimes& times)
+{
+    const bool isOurs = file.starts_with(firstLine() + "\n");
+    return (isOurs ? std::string(file) : firstLine() + "\n") + sizeClass + " " + general(times.gl, 6) + " " +
+           general(times.cpu, 6) + "\n";
+}
+
+BackendChoice soonerBackend(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
+                            const std::filesystem::path& file, Progress* progress)
+{
+    if (file.empty())
+        return {Backend::Auto, ""};
+    const std::size_t triangles = scene.mesh->triangles.size();
+    const std::string size = sizeClass(triangles, settings, plan.frames);
+    const auto known = readWholeFile(file.string(), 1U << 20U);
+    const std::string text = known ? *known : std::string();
+    if (const auto times = timesIn(text, size))
+        return soonerOf(*times);
+    if (triangles > mostTriangles || samplesOf(settings) > mostSamples)
+        return {Backend::Auto, "too large to try both"};
+    std::error_code failed;
+    std::filesystem::create_directories(file.parent_path(), failed);
+    if (failed || !checkWritable(file.string()))
+        return {Backend::Auto, "what was measured could not be kept"};
+    const auto renderer = rendererHere(plan.context);
+    if (!renderer)
+        return {Backend::Auto, "no OpenGL context opens"};
+    if (!isSoftware(*renderer))
+        return {Backend::Auto, "drawn by " + *renderer};
+    const auto times = measured(scene, settings, plan, progress);
+    if (!times || !writeAtomically(file.string(), withTimes(text, size, *times)))
+        return {Backend::Auto, "what was measured could not be kept"};
+    return soonerOf(*times);
+}
+
+} // namespace reflectance

@@ -1,0 +1,100 @@
+// The backend that is sooner done: read from what was measured, measured once where nothing is known, and never from another's.
+#include "core/render/pictures/backend_choice.h"
+
+#include "core/base/file.h"
+#include "tests/render/gl_scenes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace reflectance::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr RenderSettings small{24, 16, 1};
+
+TEST(BackendChoice, IsTheCpuWhereItIsSoonerByAFifth)
+{
+    EXPECT_EQ(soonerOf({100.0, 79.0}).backend, Backend::Cpu);
+    EXPECT_EQ(soonerOf({100.0, 81.0}).backend, Backend::Auto);
+    EXPECT_EQ(soonerOf({100.0, 300.0}).backend, Backend::Auto);
+    EXPECT_THAT(soonerOf({100.0, 79.0}).why, HasSubstr("GL 100 ms, CPU 79 ms"));
+}
+
+TEST(BackendChoice, TellsSizesApartInStepsOfFour)
+{
+    EXPECT_EQ(sizeClass(1000, small, 1), sizeClass(1001, small, 1));
+    EXPECT_NE(sizeClass(1000, small, 1), sizeClass(10000, small, 1));
+    EXPECT_NE(sizeClass(1000, small, 1), sizeClass(1000, {24, 16, 3}, 1));
+    EXPECT_NE(sizeClass(1000, small, 1), sizeClass(1000, small, 5));
+    EXPECT_EQ(sizeClass(1000, small, 2), sizeClass(1000, small, 5));
+}
+
+TEST(BackendChoice, ReadsBackWhatWasWrittenAndNothingElse)
+{
+    const std::string one = sizeClass(1000, small, 1);
+    const std::string many = sizeClass(1000, small, 9);
+    std::string file = withTimes("", one, {12.5, 3.25});
+    file = withTimes(file, many, {1.5, 30.0});
+    ASSERT_TRUE(timesIn(file, one) && timesIn(file, many));
+    EXPECT_EQ(timesIn(file, one)->gl, 12.5);
+    EXPECT_EQ(timesIn(file, one)->cpu, 3.25);
+    EXPECT_EQ(timesIn(file, many)->cpu, 30.0);
+    EXPECT_FALSE(timesIn(file, sizeClass(5, small, 1)));
+    EXPECT_FALSE(timesIn("", one));
+    EXPECT_FALSE(timesIn("of another program" + file, one));
+    const std::string start = file.substr(0, file.find('\n') + 1);
+    for (const char* times : {"", " ", " 1", " 1 2 3", " a 2", " -1 2", " 0 2", " nan 2"})
+        EXPECT_FALSE(timesIn(start + one + times + "\n", one)) << times;
+    EXPECT_EQ(timesIn(withTimes("foreign\n", one, {1.0, 2.0}), one)->cpu, 2.0); // what was there is void
+}
+
+class BackendFile : public testing::Test {
+protected:
+    void SetUp() override { fs::remove_all(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    const fs::path folder_ = fs::path(testing::TempDir()) / "backend_choice";
+    const Scene scene_ = twoLightScene("hybrid");
+    const std::string class_ = sizeClass(scene_.mesh->triangles.size(), small, 1);
+};
+
+TEST_F(BackendFile, DecidesWithoutRendering)
+{
+    fs::create_directories(folder_);
+    for (const BackendTimes times : {BackendTimes{50.0, 5.0}, BackendTimes{5.0, 50.0}}) {
+        const std::string content = withTimes("", class_, times);
+        ASSERT_TRUE(writeAtomically((folder_ / "file").string(), content));
+        const BackendChoice choice = soonerBackend(scene_, small, {}, folder_ / "file");
+        EXPECT_EQ(choice.backend, times.cpu < times.gl ? Backend::Cpu : Backend::Auto);
+        EXPECT_EQ(*readWholeFile((folder_ / "file").string()), content);
+    }
+}
+
+/// The tests' contexts are software: both are measured, once.
+TEST_F(BackendFile, IsMadeByMeasuringBothOnce)
+{
+    const fs::path file = folder_ / "below" / "file";
+    const BackendChoice first = soonerBackend(scene_, small, {}, file);
+    EXPECT_THAT(first.why, HasSubstr("measured here once: GL "));
+    const std::string content = *readWholeFile(file.string());
+    ASSERT_TRUE(timesIn(content, class_));
+    const BackendChoice second = soonerBackend(scene_, small, {}, file);
+    EXPECT_EQ(second.backend, first.backend);
+    EXPECT_EQ(*readWholeFile(file.string()), content);
+}
+
+TEST_F(BackendFile, ThatCannotBeWrittenMeansNoMeasurement)
+{
+    fs::create_directories(folder_);
+    ASSERT_TRUE(writeAtomically((folder_ / "file").string(), "no folder"));
+    const BackendChoice choice = soonerBackend(scene_, small, {}, folder_ / "file" / "below");
+    EXPECT_EQ(choice.backend, Backend::Auto);
+    EXPECT_THAT(choice.why, HasSubstr("could not be kept"));
+    EXPECT_EQ(soonerBackend(scene_, small, {}, {}).why, "");
+}
+
+} // namespace
+} // namespace reflectance::test
