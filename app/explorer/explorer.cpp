@@ -106,8 +106,8 @@ void drawView(Session& session, Area picture, float scale)
         ImGui::End();
     }
     beginArea("##view", picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
-    drawViewport(state, session.viewport, session.renderer, session.second, picture, session.window.pixelsPerPoint(),
-                 scale);
+    drawViewport(state, session.viewport, session.renderer, session.second, session.standIn, picture,
+                 session.window.pixelsPerPoint(), scale);
     drawTrust(session, picture);
     ImGui::End();
 }

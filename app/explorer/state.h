@@ -11,6 +11,7 @@
 #include "app/explorer/lab_study.h"
 #include "app/explorer/object_price.h"
 #include "app/explorer/sensor_study.h"
+#include "app/explorer/stand_in.h"
 #include "app/explorer/surface_shelf.h"
 #include "app/explorer/table_study.h"
 #include "app/explorer/trade_study.h"
@@ -138,6 +139,7 @@ struct ExplorerState {
 
     // What the status line reports.
     double frameMilliseconds = 0.0;
+    StandInFacts standIn;
     std::string renderer;            ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::vector<PriceTag> priceTags; ///< of the current scene; empty while being measured
     bool measuringPrices = false;

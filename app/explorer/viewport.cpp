@@ -121,6 +121,7 @@ RenderSettings settingsFor(const ExplorerState& state, Viewport& viewport)
     const bool moving =
         state.turntable || viewport.stroke.movesCamera() || now - viewport.cameraMoved < restBeforeRefining(viewport);
     const bool shading = viewport.stroke.movesLight() || (ImGui::IsAnyItemActive() && !state.compare.holdsDivider);
+    viewport.cameraMoves = moving;
     const bool coarse = moving || (shading && viewport.fullMilliseconds > smoothMilliseconds);
     viewport.refinementOwed = coarse && state.preferences.samplesPerAxis > 1;
     return {viewport.view.size.width, viewport.view.size.height, coarse ? 1 : state.preferences.samplesPerAxis};
@@ -131,14 +132,18 @@ std::uint64_t picturesOf(const GlRenderer& renderer, const SecondView& second)
     return renderer.work().shadings + renderer.work().developments + second.pictures();
 }
 
-void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second)
+void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, StandIn& standIn)
 {
     viewport.settings = settingsFor(state, viewport);
+    Scene shown = shownScene(state);
+    shown.mesh = standIn.meshFor(shown.mesh, viewport.cameraMoves, viewport.fullMilliseconds);
+    state.standIn = standIn.facts();
+    viewport.refinementOwed = viewport.refinementOwed || state.standIn.shown;
     const std::uint64_t before = picturesOf(renderer, second);
     const Clock::time_point start = Clock::now();
-    Result<void> rendered = renderer.render(shownScene(state), viewport.settings);
+    Result<void> rendered = renderer.render(shown, viewport.settings);
     if (rendered && state.compare.on)
-        rendered = second.render(variantB(shownScene(state)), viewport.settings);
+        rendered = second.render(variantB(shown), viewport.settings);
     if (!rendered) {
         state.message = Message{rendered.error().sentence(), true};
         return;
@@ -147,7 +152,7 @@ void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, Seco
         return;
     renderer.finish();
     state.frameMilliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    if (viewport.settings.samplesPerAxis == state.preferences.samplesPerAxis)
+    if (viewport.settings.samplesPerAxis == state.preferences.samplesPerAxis && !state.standIn.shown)
         viewport.fullMilliseconds = state.frameMilliseconds;
     ++viewport.pictures;
 }
@@ -245,8 +250,8 @@ Clock::duration restBeforeRefining(const Viewport& viewport)
     return std::chrono::duration_cast<Clock::duration>(rest);
 }
 
-void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, const Area& area,
-                  float pixelsPerPoint, float scale)
+void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, StandIn& standIn,
+                  const Area& area, float pixelsPerPoint, float scale)
 {
     const auto pixels = [pixelsPerPoint](float points) {
         return std::max(1, static_cast<int>(std::lround(points * pixelsPerPoint)));
@@ -261,7 +266,7 @@ void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     handleMouse(state, viewport);
-    render(state, viewport, renderer, second);
+    render(state, viewport, renderer, second, standIn);
 
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     drawPictures(canvas, state.compare, renderer, second, area, panes);
