@@ -169,10 +169,16 @@ void keepSession(Session& session)
         session.state.message = Message{"The session is not kept against a crash: " + problem->sentence(), true};
 }
 
+/// A hand is on something, or what it asked for is not done: the change is not whole yet.
+bool isBusy(const Session& session)
+{
+    return session.viewport.dragging() || ImGui::IsAnyItemActive() || !session.state.requests.empty();
+}
+
 void noteHistory(Session& session)
 {
     ExplorerState& state = session.state;
-    const bool busy = session.viewport.dragging() || ImGui::IsAnyItemActive();
+    const bool busy = isBusy(session);
     state.history.watch(state, {busy, state.turntable, state.loading.has_value()}, Clock::now());
 }
 
@@ -206,8 +212,7 @@ void drawOnce(Session& session)
     pollSensorStudy(session);
     pollLab(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
-    const bool busy = session.viewport.dragging() || ImGui::IsAnyItemActive();
-    recordTape(session, events.keys, busy || session.state.loading.has_value());
+    recordTape(session, events.keys, isBusy(session) || session.state.loading.has_value());
     noteHistory(session);
     keepSession(session);
     titleWindow(session);
