@@ -1,4 +1,5 @@
 // `render`: one picture, by the GL or the CPU renderer, and the figures about it.
+#include "app/cli/highlight.h"
 #include "app/cli/lens_picture.h"
 #include "app/cli/long_work.h"
 #include "app/cli/probe_report.h"
@@ -28,7 +29,7 @@ using Options = RenderOptions;
 
 nlohmann::ordered_json report(const Options& options, const Scene& scene, const PictureRecipe& recipe,
                               const Rendered& rendered, const SensorCounts& counts,
-                              const std::optional<Waterfall>& waterfall)
+                              const std::optional<Waterfall>& waterfall, std::optional<std::size_t> highlight)
 {
     nlohmann::ordered_json figures{{"out", options.out},
                                    {"variant", nameOf(recipe.shown)},
@@ -48,6 +49,8 @@ nlohmann::ordered_json report(const Options& options, const Scene& scene, const 
                                    {"left_out", options.general ? std::vector<std::string>() : leftOut(scene)}};
     if (rendered.generalMilliseconds > 0.0)
         figures["general_shading_ms"] = rendered.generalMilliseconds;
+    if (highlight)
+        figures["highlight"] = lightReport(scene.lights[*highlight], *highlight);
     if (waterfall)
         figures["waterfall"] = waterfallReport(*waterfall);
     return figures;
@@ -167,7 +170,8 @@ Result<std::optional<Waterfall>> waterfallFrom(const Options& options, const Sce
     return std::optional(*std::move(waterfall));
 }
 
-int renderAndReport(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
+int renderAndReport(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
+                    std::optional<std::size_t> highlight)
 {
     const auto made = make(options, scene, settings, plan);
     if (!made)
@@ -177,7 +181,8 @@ int renderAndReport(const Options& options, const Scene& scene, const RenderSett
     const auto waterfall = waterfallFrom(options, scene, settings, *made);
     if (!waterfall)
         return refused(waterfall.error(), LongWork::wasStopped() ? Stopped : BadInput);
-    const auto figures = report(options, scene, made->recipe, made->last, made->picture.codes.counts, *waterfall);
+    const auto figures =
+        report(options, scene, made->recipe, made->last, made->picture.codes.counts, *waterfall, highlight);
     if (const auto written = writeReport(options.json, figures); !written)
         return refused(written.error());
     if (options.reference.empty())
@@ -237,12 +242,19 @@ int run(const Options& asked)
     if (!settings)
         return refused(settings.error());
     const std::jthread driver = plan->backend == Backend::Cpu ? std::jthread() : openDriverAhead(plan->context);
-    const auto scene = sceneFrom(options.scene);
+    auto scene = sceneFrom(options.scene);
     if (!scene)
         return refused(scene.error());
+    std::optional<std::size_t> highlight;
+    if (!options.highlightAt.empty()) {
+        const auto moved = putHighlight(options.highlightAt, *settings, *scene);
+        if (!moved)
+            return refused(moved.error());
+        highlight = *moved;
+    }
     if (const auto fits = checkLobe(*scene, plan->lobe); !fits)
         return refused(fits.error());
-    return options.lens.empty() ? renderAndReport(options, *scene, *settings, *plan)
+    return options.lens.empty() ? renderAndReport(options, *scene, *settings, *plan, highlight)
                                 : runLens(options, *scene, *settings);
 }
 
@@ -257,6 +269,11 @@ void addRender(CLI::App& program, int& exitCode)
                      "picture to write: .png (after the sensor), .exr or .pfm (linear, before it)");
     verb->add_option("--probe", options->probe,
                      "X,Y in pixels: no picture, but what happens at this point, from the lights to the code value");
+    verb->add_option(
+            "--highlight-at", options->highlightAt,
+            "X,Y[,LIGHT] in pixels: that light (from 1; the first that is on) moves so that its highlight peaks "
+            "there, R.V = 1; where the surface has none, N.L = 1")
+        ->excludes(verb->get_option("--probe"));
     verb->add_option("--backend", options->backend, "auto (GL where there is one), gl or cpu")
         ->check(CLI::IsMember({"auto", "gl", "cpu"}))
         ->capture_default_str();

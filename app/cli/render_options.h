@@ -17,6 +17,7 @@ struct RenderOptions {
     std::string context = "any";
     std::string shading;
     std::string lens;
+    std::string highlightAt; ///< "X,Y" or "X,Y,LIGHT"; empty: the lights stay
     std::string probe;   ///< "X,Y" in pixels; empty: none
     std::string lobe;    ///< empty: conditioned, or as a saved picture has
     std::string variant; ///< "A", "B", "side", "wipe" or "difference"; empty: A, or as a saved picture has
