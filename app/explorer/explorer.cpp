@@ -194,6 +194,7 @@ void drawOnce(Session& session)
     for (const KeyPress& key : events.keys)
         press(key, session.state);
     playTape(session);
+    session.window.giveArrowsToPicture(session.state.grab.on && !session.state.showFileBrowser);
     session.toOpen.insert(session.toOpen.end(), events.dropped.begin(), events.dropped.end());
     session.state.drawSoon = false;
     session.window.beginFrame();

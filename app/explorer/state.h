@@ -6,6 +6,7 @@
 #include "app/explorer/exhibition.h"
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/fit_study.h"
+#include "app/explorer/grab_tool.h"
 #include "app/explorer/guide.h"
 #include "app/explorer/history.h"
 #include "app/explorer/lab_study.h"
@@ -122,6 +123,7 @@ struct ColourPage {
 struct ExplorerState {
     Scene scene;
     CompareView compare;
+    GrabTool grab;
     History history;
     SurfaceShelf shelf;
     int selectedLight = 0; ///< index into scene.lights, -1 for none
