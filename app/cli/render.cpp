@@ -1,4 +1,5 @@
 // `render`: one picture, by the GL or the CPU renderer, and the figures about it.
+#include "app/cli/chosen_variants.h"
 #include "app/cli/highlight.h"
 #include "app/cli/lens_picture.h"
 #include "app/cli/long_work.h"
@@ -232,7 +233,7 @@ int run(const Options& asked)
     const auto recipe = recipeOf(asked.scene);
     if (!recipe)
         return refused(recipe.error());
-    const Options options = *recipe ? completed(asked, **recipe) : asked;
+    Options options = *recipe ? completed(asked, **recipe) : asked;
     const auto plan = planFrom(options);
     if (!plan)
         return refused(plan.error());
@@ -245,6 +246,8 @@ int run(const Options& asked)
     auto scene = sceneFrom(options.scene);
     if (!scene)
         return refused(scene.error());
+    if (const auto chosen = chooseVariants(options, *scene); !chosen)
+        return refused(chosen.error());
     std::optional<std::size_t> highlight;
     if (!options.highlightAt.empty()) {
         const auto moved = putHighlight(options.highlightAt, *settings, *scene);
@@ -297,8 +300,9 @@ void addRender(CLI::App& program, int& exitCode)
         ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));
     verb->add_option("--variant", options->variant,
                      "of a scene with two surfaces: A (the default), B, both side by side or in a wipe, or the signed "
-                     "difference of luminance, B less A (PNG)")
-        ->check(CLI::IsMember({"A", "B", "side", "wipe", "difference"}));
+                     "difference of luminance, B less A (PNG); or the name of a variant that the scene keeps");
+    verb->add_option("--a", options->variantA, "NAME of a kept variant, in A's place");
+    verb->add_option("--b", options->variantB, "NAME of a kept variant, in B's place");
     verb->add_option("--divider", options->divider, "of a wipe: A's share of the width")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();

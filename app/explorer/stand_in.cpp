@@ -1,17 +1,9 @@
 #include "app/explorer/stand_in.h"
 
 #include "core/geometry/clustered.h"
+#include "core/geometry/mesh_bytes.h"
 
 namespace reflectance::explorer {
-namespace {
-
-std::size_t bytesOf(const Mesh& mesh)
-{
-    return sizeof(Vec3d) * (mesh.positions.size() + mesh.normals.size()) +
-           sizeof(std::uint32_t) * mesh.fileVertex.size() + sizeof(Mesh::Triangle) * mesh.triangles.size();
-}
-
-} // namespace
 
 std::shared_ptr<const Mesh> StandIn::meshFor(const std::shared_ptr<const Mesh>& mesh, bool cameraMoves,
                                              double wholeMilliseconds)

@@ -219,11 +219,11 @@ void readSurface(ObjectReader object, Surface& surface, const ScenePaths& paths)
 
 void readVariants(ObjectReader& object, Scene& scene, const ScenePaths& paths)
 {
-    object.readList("variants", scene.variants, [&](ObjectReader part, NamedSurface& variant) {
+    object.readList("variants", scene.variants, [&](ObjectReader part, KeptSurface& variant) {
         part.read("name", variant.name);
         part.readObject("surface", [&](ObjectReader surface) { readSurface(surface, variant.surface, paths); });
         part.finish();
-        const auto named = [&](const NamedSurface& other) { return other.name == variant.name; };
+        const auto named = [&](const KeptSurface& other) { return other.name == variant.name; };
         if (variant.name.empty())
             part.fail("a variant has no name; give it one, \"name\"");
         else if (std::count_if(scene.variants.begin(), scene.variants.end(), named) > 1)
@@ -294,7 +294,7 @@ Json sceneJson(const Scene& scene, const ScenePaths& paths)
         {"sensor", writtenSensor(scene.sensor, [&](const std::string& path) { return writtenPath(paths, path); })}};
     if (scene.other)
         json["compare"] = written(*scene.other, paths);
-    for (const NamedSurface& variant : scene.variants)
+    for (const KeptSurface& variant : scene.variants)
         json["variants"].push_back({{"name", variant.name}, {"surface", written(variant.surface, paths)}});
     return json;
 }

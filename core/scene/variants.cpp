@@ -11,7 +11,7 @@ namespace {
 bool isTaken(const Scene& scene, const std::string& name)
 {
     return std::any_of(scene.variants.begin(), scene.variants.end(),
-                       [&](const NamedSurface& variant) { return variant.name == name; });
+                       [&](const KeptSurface& variant) { return variant.name == name; });
 }
 
 } // namespace
