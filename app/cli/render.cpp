@@ -1,4 +1,6 @@
 // `render`: one picture, by the GL or the CPU renderer, and the figures about it.
+#include "app/cli/chosen_variants.h"
+#include "app/cli/highlight.h"
 #include "app/cli/lens_picture.h"
 #include "app/cli/long_work.h"
 #include "app/cli/probe_report.h"
@@ -30,7 +32,7 @@ using Options = RenderOptions;
 
 nlohmann::ordered_json report(const Options& options, const Scene& scene, const PictureRecipe& recipe,
                               const Rendered& rendered, const SensorCounts& counts,
-                              const std::optional<Waterfall>& waterfall)
+                              const std::optional<Waterfall>& waterfall, std::optional<std::size_t> highlight)
 {
     nlohmann::ordered_json figures{{"out", options.out},
                                    {"variant", nameOf(recipe.shown)},
@@ -52,6 +54,8 @@ nlohmann::ordered_json report(const Options& options, const Scene& scene, const 
         figures["general_shading_ms"] = rendered.generalMilliseconds;
     if (rendered.leftOutBytes > 0)
         figures["left_out_bytes"] = rendered.leftOutBytes;
+    if (highlight)
+        figures["highlight"] = lightReport(scene.lights[*highlight], *highlight);
     if (waterfall)
         figures["waterfall"] = waterfallReport(*waterfall);
     return figures;
@@ -185,7 +189,8 @@ Result<std::optional<Waterfall>> waterfallFrom(const Options& options, const Sce
     return std::optional(*std::move(waterfall));
 }
 
-int renderAndReport(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
+int renderAndReport(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
+                    std::optional<std::size_t> highlight)
 {
     const auto made = make(options, scene, settings, plan);
     if (!made)
@@ -195,7 +200,7 @@ int renderAndReport(const Options& options, const Scene& scene, const RenderSett
     const auto waterfall = waterfallFrom(options, scene, settings, *made);
     if (!waterfall)
         return refused(waterfall.error(), LongWork::wasStopped() ? Stopped : BadInput);
-    auto figures = report(options, scene, made->recipe, made->last, made->picture.codes.counts, *waterfall);
+    auto figures = report(options, scene, made->recipe, made->last, made->picture.codes.counts, *waterfall, highlight);
     if (!made->why.empty())
         figures["backend_why"] = made->why;
     if (const auto written = writeReport(options.json, figures); !written)
@@ -247,7 +252,7 @@ int run(const Options& asked)
     const auto recipe = recipeOf(asked.scene);
     if (!recipe)
         return refused(recipe.error());
-    const Options options = *recipe ? completed(asked, **recipe) : asked;
+    Options options = *recipe ? completed(asked, **recipe) : asked;
     const auto plan = planFrom(options);
     if (!plan)
         return refused(plan.error());
@@ -257,12 +262,21 @@ int run(const Options& asked)
     if (!settings)
         return refused(settings.error());
     const std::jthread driver = plan->backend == Backend::Cpu ? std::jthread() : openDriverAhead(plan->context);
-    const auto scene = sceneFrom(options.scene);
+    auto scene = sceneFrom(options.scene);
     if (!scene)
         return refused(scene.error());
+    if (const auto chosen = chooseVariants(options, *scene); !chosen)
+        return refused(chosen.error());
+    std::optional<std::size_t> highlight;
+    if (!options.highlightAt.empty()) {
+        const auto moved = putHighlight(options.highlightAt, *settings, *scene);
+        if (!moved)
+            return refused(moved.error());
+        highlight = *moved;
+    }
     if (const auto fits = checkLobe(*scene, plan->lobe); !fits)
         return refused(fits.error());
-    return options.lens.empty() ? renderAndReport(options, *scene, *settings, *plan)
+    return options.lens.empty() ? renderAndReport(options, *scene, *settings, *plan, highlight)
                                 : runLens(options, *scene, *settings);
 }
 
@@ -277,6 +291,11 @@ void addRender(CLI::App& program, int& exitCode)
                      "picture to write: .png (after the sensor), .exr or .pfm (linear, before it)");
     verb->add_option("--probe", options->probe,
                      "X,Y in pixels: no picture, but what happens at this point, from the lights to the code value");
+    verb->add_option(
+            "--highlight-at", options->highlightAt,
+            "X,Y[,LIGHT] in pixels: that light (from 1; the first that is on) moves so that its highlight peaks "
+            "there, R.V = 1; where the surface has none, N.L = 1")
+        ->excludes(verb->get_option("--probe"));
     verb->add_option(
             "--backend", options->backend,
             "auto (GL on a graphics card; without one what is sooner done, tried once per size of picture), gl or cpu")
@@ -304,8 +323,9 @@ void addRender(CLI::App& program, int& exitCode)
         ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));
     verb->add_option("--variant", options->variant,
                      "of a scene with two surfaces: A (the default), B, both side by side or in a wipe, or the signed "
-                     "difference of luminance, B less A (PNG)")
-        ->check(CLI::IsMember({"A", "B", "side", "wipe", "difference"}));
+                     "difference of luminance, B less A (PNG); or the name of a variant that the scene keeps");
+    verb->add_option("--a", options->variantA, "NAME of a kept variant, in A's place");
+    verb->add_option("--b", options->variantB, "NAME of a kept variant, in B's place");
     verb->add_option("--divider", options->divider, "of a wipe: A's share of the width")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();

@@ -17,9 +17,11 @@ struct RenderOptions {
     std::string context = "any";
     std::string shading;
     std::string lens;
-    std::string probe;   ///< "X,Y" in pixels; empty: none
-    std::string lobe;    ///< empty: conditioned, or as a saved picture has
-    std::string variant; ///< "A", "B", "side", "wipe" or "difference"; empty: A, or as a saved picture has
+    std::string highlightAt; ///< "X,Y" or "X,Y,LIGHT"; empty: the lights stay
+    std::string probe;       ///< "X,Y" in pixels; empty: none
+    std::string lobe;        ///< empty: conditioned, or as a saved picture has
+    std::string variant; ///< "A", "B", "side", "wipe", "difference" or a kept name; empty: A, or as a saved picture has
+    std::string variantA, variantB; ///< names of kept surfaces; empty: as the scene has them
     double divider = 0.5;
     bool general = false; ///< nothing is specialised: terms that are 0 are computed too
     bool noCache = false; ///< nothing is read from or written to the user's cache folder

@@ -67,6 +67,27 @@ std::string nameOf(const std::vector<Light>& before, const std::vector<Light>& a
     return changed == 1 ? nameOf(before[last], after[last]) : "Lights";
 }
 
+std::string nameOf(const std::vector<KeptSurface>& before, const std::vector<KeptSurface>& after)
+{
+    if (before.size() < after.size())
+        return "Keep " + after.back().name;
+    if (before.size() > after.size())
+        return "Remove a variant";
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        if (before[i].name != after[i].name)
+            return "Rename " + before[i].name;
+        if (before[i].surface != after[i].surface)
+            return "Renew " + after[i].name;
+    }
+    return "Variants";
+}
+
+std::string nameOf(CompareMode mode)
+{
+    constexpr const char* names[] = {"Side by side", "Wipe", "Flip", "Difference"};
+    return names[static_cast<int>(mode)];
+}
+
 std::string nameOf(const Camera& before, const Camera& after)
 {
     if (before.fieldOfView != after.fieldOfView)
@@ -90,6 +111,7 @@ std::vector<std::string> partsOf(const Scene& a, const Scene& b)
     note(a.surface != b.surface, [&] { return nameOf(a.surface, b.surface); });
     note(a.other && b.other && *a.other != *b.other, [&] { return "B: " + nameOf(*a.other, *b.other); });
     note(a.other.has_value() != b.other.has_value(), [] { return std::string("Compare"); });
+    note(a.variants != b.variants, [&] { return nameOf(a.variants, b.variants); });
     note(a.lights != b.lights, [&] { return nameOf(a.lights, b.lights); });
     note(a.environment != b.environment, [] { return std::string("Environment"); });
     note(a.background != b.background, [] { return std::string("Background"); });
@@ -121,6 +143,8 @@ std::string nameOfChange(const Moment& before, const Moment& after)
         return "Scene";
     if (before.comparing != after.comparing)
         return after.comparing ? "Compare" : "End the comparison";
+    if (parts.empty() && before.mode != after.mode)
+        return nameOf(after.mode);
     return parts.empty() ? "Change" : parts.front();
 }
 

@@ -13,6 +13,7 @@ namespace reflectance::explorer {
 struct Moment {
     Scene scene;
     bool comparing = false;
+    CompareMode mode = CompareMode::SideBySide;
     std::optional<BeforeClay> beforeClay;
     std::optional<PutAside> putAside;
 

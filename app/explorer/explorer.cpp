@@ -106,8 +106,8 @@ void drawView(Session& session, Area picture, float scale)
         ImGui::End();
     }
     beginArea("##view", picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
-    drawViewport(state, session.viewport, session.renderer, session.second, picture, session.window.pixelsPerPoint(),
-                 scale);
+    drawViewport(state, session.viewport, session.renderer, session.second, session.standIn, picture,
+                 session.window.pixelsPerPoint(), scale);
     drawTrust(session, picture);
     ImGui::End();
 }
@@ -169,10 +169,16 @@ void keepSession(Session& session)
         session.state.message = Message{"The session is not kept against a crash: " + problem->sentence(), true};
 }
 
+/// A hand is on something, or what it asked for is not done: the change is not whole yet.
+bool isBusy(const Session& session)
+{
+    return session.viewport.dragging() || ImGui::IsAnyItemActive() || !session.state.requests.empty();
+}
+
 void noteHistory(Session& session)
 {
     ExplorerState& state = session.state;
-    const bool busy = session.viewport.dragging() || ImGui::IsAnyItemActive();
+    const bool busy = isBusy(session);
     state.history.watch(state, {busy, state.turntable, state.loading.has_value()}, Clock::now());
 }
 
@@ -188,6 +194,7 @@ void drawOnce(Session& session)
     for (const KeyPress& key : events.keys)
         press(key, session.state);
     playTape(session);
+    session.window.giveArrowsToPicture(session.state.grab.on && !session.state.showFileBrowser);
     session.toOpen.insert(session.toOpen.end(), events.dropped.begin(), events.dropped.end());
     session.state.drawSoon = false;
     session.window.beginFrame();
@@ -206,8 +213,7 @@ void drawOnce(Session& session)
     pollSensorStudy(session);
     pollLab(session);
     pollTableFacts(session.state.tablePage, session.tableFacts, session.tableAsked);
-    const bool busy = session.viewport.dragging() || ImGui::IsAnyItemActive();
-    recordTape(session, events.keys, busy || session.state.loading.has_value());
+    recordTape(session, events.keys, isBusy(session) || session.state.loading.has_value());
     noteHistory(session);
     keepSession(session);
     titleWindow(session);

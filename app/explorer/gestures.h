@@ -4,6 +4,7 @@
 
 #include "core/geometry/camera.h"
 #include "core/illumination/light.h"
+#include "core/study/grab/grasp.h"
 
 #include <span>
 
@@ -74,7 +75,7 @@ struct HandleView {
 /// One stroke of the mouse, from press to release. Results follow from the start of the stroke, never from the steps
 /// between, so moving back undoes it exactly.
 struct Stroke {
-    enum class Kind { None, Orbit, Pan, Zoom, HoldLight, RollLight, ReachLight };
+    enum class Kind { None, Orbit, Pan, Zoom, HoldLight, RollLight, ReachLight, Grab };
     Kind kind = Kind::None;
     Cursor start;
     Cursor grip;          ///< HoldLight: from the cursor to the handle, so that it does not jump when taken
@@ -82,6 +83,9 @@ struct Stroke {
     int light = -1;
     Camera cameraBefore;
     Light lightBefore;
+    Grip taken = Grip::Spot;     ///< Grab (grab_tool.h): what is held
+    double exponentBefore = 0.0; ///< Grab: n, of a model that has one
+    double cosineBefore = 0.0;   ///< Grab: what n is the power of, where the stroke began
 
     [[nodiscard]] bool movesCamera() const { return kind == Kind::Orbit || kind == Kind::Pan || kind == Kind::Zoom; }
     [[nodiscard]] bool movesLight() const { return kind != Kind::None && !movesCamera(); }

@@ -1,6 +1,7 @@
 #include "app/explorer/history.h"
 
 #include "app/explorer/state.h"
+#include "core/geometry/mesh_bytes.h"
 
 #include <algorithm>
 #include <set>
@@ -11,7 +12,7 @@ namespace {
 
 Moment momentOf(const ExplorerState& state)
 {
-    return {state.scene, state.compare.on, state.compare.beforeClay, state.putAside};
+    return {state.scene, state.compare.on, state.compare.mode, state.compare.beforeClay, state.putAside};
 }
 
 /// The tour as far as a step of it; a file that was read before is read again.
@@ -21,12 +22,6 @@ Guide guideAt(int number)
     return step ? Guide{number, *std::move(step), 0, false, {}} : Guide();
 }
 
-std::size_t bytesOf(const Mesh& mesh)
-{
-    return sizeof(Vec3d) * (mesh.positions.size() + mesh.normals.size()) +
-           sizeof(std::uint32_t) * mesh.fileVertex.size() + sizeof(Mesh::Triangle) * mesh.triangles.size();
-}
-
 /// Adds what the scene shares with other steps, each object once.
 void addShared(const Scene& scene, std::set<const void*>& counted, std::size_t& bytes)
 {
@@ -34,8 +29,13 @@ void addShared(const Scene& scene, std::set<const void*>& counted, std::size_t& 
         bytes += bytesOf(*scene.mesh);
     if (scene.environment.map && counted.insert(scene.environment.map.get()).second)
         bytes += sizeof(float) * (scene.environment.map->rgb.size() + scene.environment.map->coverage.size());
-    for (const Surface* surface : {&scene.surface, scene.other ? &*scene.other : nullptr})
-        if (surface && surface->table && counted.insert(surface->table.get()).second)
+    std::vector<const Surface*> surfaces{&scene.surface};
+    if (scene.other)
+        surfaces.push_back(&*scene.other);
+    for (const KeptSurface& variant : scene.variants)
+        surfaces.push_back(&variant.surface);
+    for (const Surface* surface : surfaces)
+        if (surface->table && counted.insert(surface->table.get()).second)
             bytes += sizeof(double) * surface->table->table.values.size();
 }
 
@@ -119,6 +119,7 @@ void History::show(ExplorerState& state)
     const HistoryStep& step = steps_[here_];
     state.scene = step.after.scene;
     state.compare.on = step.after.comparing;
+    state.compare.mode = step.after.mode;
     state.compare.handOnB = state.compare.handOnB && step.after.comparing;
     state.compare.beforeClay = step.after.beforeClay;
     state.putAside = step.after.putAside;

@@ -55,6 +55,32 @@ void pressLens(ExplorerState& state, bool shift)
         state.lens = lensKinds[(static_cast<std::size_t>(*state.lens) + 1) % std::size(lensKinds)];
 }
 
+/// Pixels of a step of the arrow keys, and what a step multiplies n by.
+constexpr double wideStep = 8.0, fineStep = 1.0;
+constexpr double exponentStep = 1.189207115002721; // 2^(1/4)
+
+bool isArrow(const std::string& key)
+{
+    return key == "Left" || key == "Right" || key == "Up" || key == "Down";
+}
+
+/// The tool Grab by keyboard: arrows move the highlight, with Control by one pixel; Shift with Up and Down makes it narrower
+/// and wider.
+void pressArrow(const KeyPress& key, ExplorerState& state)
+{
+    const double dx = key.key == "Left" ? -1.0 : key.key == "Right" ? 1.0 : 0.0;
+    const double dy = key.key == "Up" ? -1.0 : key.key == "Down" ? 1.0 : 0.0;
+    if (key.shift) {
+        if (dy != 0.0)
+            scaleExponent(state.compare, state.scene, dy < 0.0 ? exponentStep : 1.0 / exponentStep);
+        return;
+    }
+    const double step = key.control ? fineStep : wideStep;
+    if (const auto moved = nudgeSpot(state.grab, state.compare, state.scene, state.selectedLight, step * dx, step * dy);
+        !moved)
+        state.message = Message{moved.error().sentence(), true};
+}
+
 void toggleTour(ExplorerState& state)
 {
     if (state.guide.number > 0)
@@ -122,6 +148,8 @@ void pressAlone(const KeyPress& key, ExplorerState& state)
         state.compare.handOnB = !state.compare.handOnB;
     else if (key.key == "b")
         showClayOrPutItAway(state);
+    else if (key.key == "s")
+        state.grab.on = !state.grab.on;
     else if (key.key == "m")
         nextModel(state, key.shift ? -1 : 1);
     else if (key.key.size() == 1 && key.key[0] >= '1' && key.key[0] <= '9')
@@ -147,7 +175,10 @@ void press(const KeyPress& key, ExplorerState& state)
     const bool isCharacter = key.key.size() == 1;
     if (state.showFileBrowser && isCharacter)
         return; // the dialog has the keyboard
-    if (key.control)
+    if (isArrow(key.key)) {
+        if (state.grab.on)
+            pressArrow(key, state);
+    } else if (key.control)
         pressWithControl(key, state);
     else
         pressAlone(key, state);

@@ -25,8 +25,13 @@ void useModel(Surface& surface, std::shared_ptr<const Model> model, const std::s
 bool renewIn(Scene& scene, const std::shared_ptr<const Model>& model, const std::string& path)
 {
     bool found = false;
-    for (Surface* surface : {&scene.surface, scene.other ? &*scene.other : nullptr})
-        if (surface && surface->own && surface->modelFile == path) {
+    std::vector<Surface*> surfaces{&scene.surface};
+    if (scene.other)
+        surfaces.push_back(&*scene.other);
+    for (KeptSurface& variant : scene.variants)
+        surfaces.push_back(&variant.surface);
+    for (Surface* surface : surfaces)
+        if (surface->own && surface->modelFile == path) {
             surface->own = model;
             found = true;
         }

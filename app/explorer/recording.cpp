@@ -1,6 +1,7 @@
 #include "app/explorer/recording.h"
 
 #include "app/explorer/comparison.h"
+#include "app/explorer/grab_tool.h"
 #include "core/scene/scene_json.h"
 
 #include <algorithm>
@@ -79,6 +80,13 @@ void serveHere(ExplorerState& state)
 void stroke(const RecordedStroke& recorded, ExplorerState& state)
 {
     Scene& scene = state.scene;
+    if (recorded.grasp) {
+        const Stroke grab = grabStroke(*recorded.grasp, recorded.from, recorded.size, state.compare, scene);
+        // Where it could not go, it did not go then either.
+        if (grab.light >= 0 && follow(grab, recorded.size, recorded.to, state.compare, scene))
+            state.selectedLight = grab.light;
+        return;
+    }
     const auto known = [&](int light) { return light < static_cast<int>(scene.lights.size()) ? light : -1; };
     const Stroke stroke = strokeFrom(recorded.button, recorded.modifiers, recorded.from, known(recorded.handle),
                                      known(recorded.selected), scene.lights, scene.camera, recorded.size);

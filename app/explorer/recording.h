@@ -10,6 +10,7 @@
 #include "app/explorer/keys.h"
 #include "core/base/result.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -25,6 +26,7 @@ struct RecordedStroke {
     int handle = -1; ///< the light that was under the cursor
     int selected = -1;
     Cursor from, to;
+    std::optional<Grasp> grasp = {}; ///< what the tool Grab took
 };
 
 struct RecordedWheel {

@@ -13,6 +13,7 @@ constexpr const char* schema = "reflectance.recording";
 constexpr int newestVersion = 1;
 constexpr NamedValue<MouseButton> buttonNames[] = {
     {"left", MouseButton::Left}, {"right", MouseButton::Right}, {"middle", MouseButton::Middle}};
+constexpr NamedValue<Grip> gripNames[] = {{"spot", Grip::Spot}, {"edge", Grip::Edge}, {"terminator", Grip::Terminator}};
 constexpr int mostLights = 1000000, mostPixels = 65536;
 
 Json written(const KeyPress& key)
@@ -22,17 +23,22 @@ Json written(const KeyPress& key)
 
 Json written(const RecordedStroke& stroke)
 {
-    return {{"stroke", buttonNames[static_cast<std::size_t>(stroke.button)].name},
-            {"control", stroke.modifiers.control},
-            {"shift", stroke.modifiers.shift},
-            {"width", stroke.size.width},
-            {"height", stroke.size.height},
-            {"handle", stroke.handle},
-            {"selected", stroke.selected},
-            {"from_x", stroke.from.x},
-            {"from_y", stroke.from.y},
-            {"to_x", stroke.to.x},
-            {"to_y", stroke.to.y}};
+    Json json{{"stroke", buttonNames[static_cast<std::size_t>(stroke.button)].name},
+              {"control", stroke.modifiers.control},
+              {"shift", stroke.modifiers.shift},
+              {"width", stroke.size.width},
+              {"height", stroke.size.height},
+              {"handle", stroke.handle},
+              {"selected", stroke.selected},
+              {"from_x", stroke.from.x},
+              {"from_y", stroke.from.y},
+              {"to_x", stroke.to.x},
+              {"to_y", stroke.to.y}};
+    if (stroke.grasp) {
+        json["grip"] = gripNames[static_cast<std::size_t>(stroke.grasp->grip)].name;
+        json["grip_light"] = stroke.grasp->light;
+    }
+    return json;
 }
 
 Json written(const RecordedWheel& wheel)
@@ -54,6 +60,16 @@ KeyPress readKey(ObjectReader& object)
     return key;
 }
 
+std::optional<Grasp> readGrasp(ObjectReader& object)
+{
+    Grasp grasp;
+    int light = 0;
+    object.readNamed("grip", gripNames, grasp.grip);
+    object.read("grip_light", light, 0, mostLights);
+    grasp.light = static_cast<std::size_t>(light);
+    return grasp;
+}
+
 RecordedStroke readStroke(ObjectReader& object)
 {
     RecordedStroke stroke;
@@ -68,6 +84,8 @@ RecordedStroke readStroke(ObjectReader& object)
     object.read("from_y", stroke.from.y);
     object.read("to_x", stroke.to.x);
     object.read("to_y", stroke.to.y);
+    if (object.find("grip"))
+        stroke.grasp = readGrasp(object);
     return stroke;
 }
 

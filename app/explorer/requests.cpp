@@ -187,7 +187,8 @@ void serve(Session& session, const Request& request)
     case Kind::ShowTour:
         showTourStep(session.state,
                      request.path.empty() ? session.state.preferences.tourStep : std::stoi(request.path));
-        frame(session);
+        // Once the card stands beside the picture, which is narrower then.
+        session.state.requests.push_back({Request::Kind::Frame, {}});
         break;
     case Kind::Quit:
         session.quit = true;

@@ -6,6 +6,7 @@
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/own_models.h"
 #include "app/explorer/second_view.h"
+#include "app/explorer/stand_in.h"
 #include "app/explorer/state.h"
 #include "app/explorer/tape.h"
 #include "app/explorer/trades.h"
@@ -31,6 +32,7 @@ struct Session {
     Viewport viewport;
     Tape tape;
     SecondView second{Window::loader(), Window::wake};
+    StandIn standIn{Window::wake};
     FileLoader loader{Window::wake};
     Worker<Prices> prices{Window::wake};
     Trust trust{Window::wake};

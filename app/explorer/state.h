@@ -6,11 +6,13 @@
 #include "app/explorer/exhibition.h"
 #include "app/explorer/extremes_study.h"
 #include "app/explorer/fit_study.h"
+#include "app/explorer/grab_tool.h"
 #include "app/explorer/guide.h"
 #include "app/explorer/history.h"
 #include "app/explorer/lab_study.h"
 #include "app/explorer/object_price.h"
 #include "app/explorer/sensor_study.h"
+#include "app/explorer/stand_in.h"
 #include "app/explorer/surface_shelf.h"
 #include "app/explorer/table_study.h"
 #include "app/explorer/trade_study.h"
@@ -121,6 +123,7 @@ struct ColourPage {
 struct ExplorerState {
     Scene scene;
     CompareView compare;
+    GrabTool grab;
     History history;
     SurfaceShelf shelf;
     int selectedLight = 0; ///< index into scene.lights, -1 for none
@@ -138,6 +141,7 @@ struct ExplorerState {
 
     // What the status line reports.
     double frameMilliseconds = 0.0;
+    StandInFacts standIn;
     std::string renderer;            ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::vector<PriceTag> priceTags; ///< of the current scene; empty while being measured
     bool measuringPrices = false;

@@ -1,6 +1,7 @@
 #include "app/explorer/trust_view.h"
 
 #include "app/explorer/ui/case_banner.h"
+#include "app/explorer/ui/compare_overlay.h"
 #include "app/explorer/ui/gl_badge.h"
 #include "app/explorer/ui/lens_legend.h"
 #include "app/explorer/ui/stops_legend.h"
@@ -31,6 +32,13 @@ void showReading(Session& session)
         showLensReading(*session.state.lens, *reading);
 }
 
+/// Beside the bar of a comparison the badge has no room in a narrow picture; it stands below it then.
+float heightOfBarAbove(const ExplorerState& state, const Area& area, float margin)
+{
+    const float beside = (area.width - compareBarWidth(area.width)) / 2.0F;
+    return state.compare.on && beside < glBadgeWidth(state) + margin ? compareBarHeight() : 0.0F;
+}
+
 } // namespace
 
 void drawTrust(Session& session, const Area& area)
@@ -44,8 +52,9 @@ void drawTrust(Session& session, const Area& area)
         drawWorstPixel(state, onScreen(session.viewport.view, worst.x, worst.y), {area.x, area.y},
                        {area.right(), area.bottom()});
     }
-    drawGlBadge(state, {area.x + margin, area.y + margin});
-    drawCaseBanner(state, {area.x + margin, area.y + margin + 32.0F * session.window.scale()},
+    const float top = area.y + margin + heightOfBarAbove(state, area, margin);
+    drawGlBadge(state, {area.x + margin, top});
+    drawCaseBanner(state, {area.x + margin, top + 32.0F * session.window.scale()},
                    {area.width - 2.0F * margin, area.height});
     if (state.scene.sensor.view.kind == SensorViewKind::FalseColor)
         drawStopsLegend({area.x + margin, area.bottom() - margin});

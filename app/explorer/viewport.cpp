@@ -25,8 +25,38 @@ ImGuiMouseButton imguiButton(MouseButton button)
                                           : ImGuiMouseButton_Middle;
 }
 
+/// What the tool Grab holds from here on. False where there is nothing to take.
+bool beginGrab(ExplorerState& state, Viewport& viewport, Cursor cursor)
+{
+    const std::optional<Grasp> grasp = state.grab.hovered;
+    if (!grasp || viewport.hoveredLight >= 0 || modifiers().shift || modifiers().control ||
+        !ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+        return false;
+    viewport.button = MouseButton::Left;
+    viewport.pressed = {MouseButton::Left, {}, viewport.view.size, -1, state.selectedLight, cursor, cursor, grasp};
+    viewport.stroke = grabStroke(*grasp, cursor, viewport.view.size, state.compare, state.scene);
+    state.selectedLight = viewport.stroke.light;
+    return true;
+}
+
+/// Follows the cursor as far as it is on the object; a recording ends where the hand was last of use.
+void continueGrab(ExplorerState& state, Viewport& viewport, Cursor cursor)
+{
+    const Result<void> followed = follow(viewport.stroke, viewport.view.size, cursor, state.compare, state.scene);
+    state.grab.problem = followed ? std::string() : followed.error().sentence();
+    if (followed)
+        viewport.pressed.to = cursor;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        return;
+    viewport.stroke = {};
+    state.grab.problem.clear();
+    viewport.done.emplace_back(viewport.pressed);
+}
+
 void beginStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
 {
+    if (beginGrab(state, viewport, cursor))
+        return;
     for (const MouseButton button : {MouseButton::Left, MouseButton::Right, MouseButton::Middle}) {
         if (!ImGui::IsMouseClicked(imguiButton(button)))
             continue;
@@ -44,6 +74,8 @@ void beginStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
 void continueStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
 {
     Stroke& stroke = viewport.stroke;
+    if (stroke.kind == Stroke::Kind::Grab)
+        return continueGrab(state, viewport, cursor);
     const bool lightGone = stroke.movesLight() && stroke.light >= static_cast<int>(state.scene.lights.size());
     if (stroke.movesCamera())
         state.scene.camera = cameraOf(stroke, viewport.view.size, cursor);
@@ -82,6 +114,14 @@ bool drawRegion(CompareView& compare, const PictureView& view, Cursor cursor, bo
     return true;
 }
 
+void lookForGrip(ExplorerState& state, const Viewport& viewport, Cursor cursor)
+{
+    GrabTool& tool = state.grab;
+    if (tool.on && viewport.hoveredLight < 0)
+        tool.hovered = graspUnder(cursor, 0.6 * handleReach(viewport.view), tool.view, state.compare, state.scene,
+                                  state.selectedLight, tool.overObject);
+}
+
 /// One frame of the mouse over the picture.
 void handleMouse(ExplorerState& state, Viewport& viewport)
 {
@@ -94,11 +134,13 @@ void handleMouse(ExplorerState& state, Viewport& viewport)
         return;
     }
     viewport.hoveredLight = -1;
+    state.grab.hovered.reset();
     if (drawRegion(state.compare, viewport.view, cursor, hovered) || !hovered)
         return;
     if (state.preferences.showLightHandles)
         viewport.hoveredLight =
             handleAt(state.scene.lights, state.scene.camera, viewport.view.size, cursor, handleReach(viewport.view));
+    lookForGrip(state, viewport, cursor);
     if (const auto steps = static_cast<double>(ImGui::GetIO().MouseWheel); steps != 0.0) {
         state.scene.camera = zoomedByWheel(state.scene.camera, steps);
         viewport.done.emplace_back(RecordedWheel{steps});
@@ -121,6 +163,7 @@ RenderSettings settingsFor(const ExplorerState& state, Viewport& viewport)
     const bool moving =
         state.turntable || viewport.stroke.movesCamera() || now - viewport.cameraMoved < restBeforeRefining(viewport);
     const bool shading = viewport.stroke.movesLight() || (ImGui::IsAnyItemActive() && !state.compare.holdsDivider);
+    viewport.cameraMoves = moving;
     const bool coarse = moving || (shading && viewport.fullMilliseconds > smoothMilliseconds);
     viewport.refinementOwed = coarse && state.preferences.samplesPerAxis > 1;
     return {viewport.view.size.width, viewport.view.size.height, coarse ? 1 : state.preferences.samplesPerAxis};
@@ -131,14 +174,18 @@ std::uint64_t picturesOf(const GlRenderer& renderer, const SecondView& second)
     return renderer.work().shadings + renderer.work().developments + second.pictures();
 }
 
-void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second)
+void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, StandIn& standIn)
 {
     viewport.settings = settingsFor(state, viewport);
+    Scene shown = shownScene(state);
+    shown.mesh = standIn.meshFor(shown.mesh, viewport.cameraMoves, viewport.fullMilliseconds);
+    state.standIn = standIn.facts();
+    viewport.refinementOwed = viewport.refinementOwed || state.standIn.shown;
     const std::uint64_t before = picturesOf(renderer, second);
     const Clock::time_point start = Clock::now();
-    Result<void> rendered = renderer.render(shownScene(state), viewport.settings);
+    Result<void> rendered = renderer.render(shown, viewport.settings);
     if (rendered && state.compare.on)
-        rendered = second.render(variantB(shownScene(state)), viewport.settings);
+        rendered = second.render(variantB(shown), viewport.settings);
     if (!rendered) {
         state.message = Message{rendered.error().sentence(), true};
         return;
@@ -147,7 +194,7 @@ void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, Seco
         return;
     renderer.finish();
     state.frameMilliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    if (viewport.settings.samplesPerAxis == state.preferences.samplesPerAxis)
+    if (viewport.settings.samplesPerAxis == state.preferences.samplesPerAxis && !state.standIn.shown)
         viewport.fullMilliseconds = state.frameMilliseconds;
     ++viewport.pictures;
 }
@@ -229,9 +276,35 @@ void drawHandles(ImDrawList& canvas, const ExplorerState& state, const Viewport&
     }
 }
 
-void setCursorShape(const Viewport& viewport)
+/// What the tool Grab holds or would take, beside the mouse.
+void showGrip(const ExplorerState& state, const Viewport& viewport)
 {
-    if (viewport.stroke.movesLight() || viewport.hoveredLight >= 0)
+    const GrabTool& tool = state.grab;
+    if (viewport.stroke.kind == Stroke::Kind::Grab) {
+        const Grasp held{viewport.stroke.taken, static_cast<std::size_t>(viewport.stroke.light), 0.0};
+        ImGui::SetTooltip("%s",
+                          (tool.problem.empty() ? nameOf(held, state.compare, state.scene) : tool.problem).c_str());
+    } else if (tool.on && tool.hovered && !viewport.dragging()) {
+        const bool far = std::isinf(tool.hovered->pixels);
+        const std::string name = nameOf(*tool.hovered, state.compare, state.scene);
+        const char* effect = far                                ? "drag, and it comes here"
+                             : tool.hovered->grip == Grip::Edge ? "drag it to change n"
+                                                                : "drag it, and the light follows";
+        ImGui::SetTooltip("%s: %s", name.c_str(), effect);
+    }
+}
+
+void setCursorShape(const ExplorerState& state, const Viewport& viewport)
+{
+    const bool grabs = viewport.stroke.kind == Stroke::Kind::Grab;
+    const std::optional<Grip> grip = grabs                ? std::optional(viewport.stroke.taken)
+                                     : state.grab.hovered ? std::optional(state.grab.hovered->grip)
+                                                          : std::nullopt;
+    if (grip && !viewport.stroke.movesCamera())
+        ImGui::SetMouseCursor(*grip == Grip::Spot   ? ImGuiMouseCursor_Hand
+                              : *grip == Grip::Edge ? ImGuiMouseCursor_ResizeNESW
+                                                    : ImGuiMouseCursor_ResizeAll);
+    else if (viewport.stroke.movesLight() || viewport.hoveredLight >= 0)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     else if (viewport.stroke.kind == Stroke::Kind::Pan)
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
@@ -245,8 +318,8 @@ Clock::duration restBeforeRefining(const Viewport& viewport)
     return std::chrono::duration_cast<Clock::duration>(rest);
 }
 
-void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, const Area& area,
-                  float pixelsPerPoint, float scale)
+void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, StandIn& standIn,
+                  const Area& area, float pixelsPerPoint, float scale)
 {
     const auto pixels = [pixelsPerPoint](float points) {
         return std::max(1, static_cast<int>(std::lround(points * pixelsPerPoint)));
@@ -255,24 +328,27 @@ void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer
     const bool onB = viewport.dragging() ? viewport.view.x == panes.b.x : ImGui::GetIO().MousePos.x >= panes.b.x;
     viewport.view = {
         onB ? panes.b.x : panes.a.x, area.y, {pixels(panes.a.width), pixels(area.height)}, pixelsPerPoint, scale};
+    state.grab.view = viewport.view.size;
     ImGui::SetCursorScreenPos({area.x, area.y});
     ImGui::SetItemAllowOverlap();
     ImGui::InvisibleButton("##picture", {std::max(1.0F, area.width), std::max(1.0F, area.height)},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     handleMouse(state, viewport);
-    render(state, viewport, renderer, second);
+    render(state, viewport, renderer, second, standIn);
 
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     drawPictures(canvas, state.compare, renderer, second, area, panes);
     drawOverlay(canvas, state.compare, viewport.overlay, panes);
+    const bool grabs = viewport.stroke.kind == Stroke::Kind::Grab;
     const int held = viewport.stroke.movesLight() ? viewport.stroke.light : -1;
     if (state.preferences.showLightHandles || held >= 0)
         drawHandles(canvas, state, viewport, panes, held);
     const int told = held >= 0 ? held : viewport.hoveredLight;
-    if (told >= 0 && told < static_cast<int>(state.scene.lights.size()))
+    showGrip(state, viewport);
+    if (!grabs && told >= 0 && told < static_cast<int>(state.scene.lights.size()))
         showLightTooltip(state, told);
-    setCursorShape(viewport);
+    setCursorShape(state, viewport);
     drawCompareOverlay(state, area, panes);
     drawLoading(state, area, scale);
 }

@@ -5,6 +5,7 @@
 #include "app/explorer/light_handles.h"
 #include "app/explorer/recording.h"
 #include "app/explorer/second_view.h"
+#include "app/explorer/stand_in.h"
 #include "core/render/gl/gl_renderer.h"
 
 #include <chrono>
@@ -26,6 +27,7 @@ struct Viewport {
     Clock::time_point cameraMoved{}; ///< when it last changed
     double fullMilliseconds = 0.0;   ///< of the last picture with all its samples
     RenderSettings settings;         ///< of the last picture
+    bool cameraMoves = false;        ///< or moved a moment ago
     std::uint64_t pictures = 0;      ///< how many different ones were drawn
     bool refinementOwed = false;     ///< the last picture had fewer samples than wanted
     unsigned overlay = 0;            ///< a texture over the picture, row 0 the highest; 0 for none
@@ -38,7 +40,7 @@ struct Viewport {
 [[nodiscard]] Clock::duration restBeforeRefining(const Viewport& viewport);
 
 /// Draws the picture, the handles and what the hand does, into an ImGui window over `area`.
-void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, const Area& area,
-                  float pixelsPerPoint, float scale);
+void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, StandIn& standIn,
+                  const Area& area, float pixelsPerPoint, float scale);
 
 } // namespace reflectance::explorer

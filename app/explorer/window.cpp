@@ -141,6 +141,11 @@ void Window::setTitle(const std::string& title)
         glfwSetWindowTitle(state_->window, title.c_str());
 }
 
+void Window::giveArrowsToPicture(bool wanted)
+{
+    state_->arrowsForPicture = wanted;
+}
+
 void Window::beginFrame()
 {
     renewFonts(*state_, scale(), pixelsPerPoint());

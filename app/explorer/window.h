@@ -48,6 +48,7 @@ public:
     [[nodiscard]] Events takeEvents();
     [[nodiscard]] bool closing() const;
     void setTitle(const std::string& title);
+    void giveArrowsToPicture(bool wanted); ///< instead of to the controls, until Tab goes to one of them
 
     void beginFrame(); ///< starts an ImGui frame; renews the fonts when the window has moved to another scale
     void drawFrame();  ///< ends the ImGui frame and draws it

@@ -19,6 +19,14 @@ std::string namedKey(int key)
         return "PageDown";
     case GLFW_KEY_ESCAPE:
         return "Esc";
+    case GLFW_KEY_LEFT:
+        return "Left";
+    case GLFW_KEY_RIGHT:
+        return "Right";
+    case GLFW_KEY_UP:
+        return "Up";
+    case GLFW_KEY_DOWN:
+        return "Down";
     default:
         return {};
     }
@@ -52,18 +60,35 @@ void tellImGui(GLFWwindow* window, int key, int scancode, int action, int modifi
         ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
 }
 
+bool isArrow(int key)
+{
+    return key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN;
+}
+
+/// Arrows belong to the controls once Tab has gone to them, and while something is typed.
+bool arrowsAreOurs(const WindowState& state)
+{
+    return state.arrowsForPicture && !ImGui::GetIO().NavVisible && !ImGui::GetIO().WantTextInput;
+}
+
 void keyPressed(GLFWwindow* window, int key, int scancode, int action, int modifiers)
 {
-    stateOf(window).happened = true;
-    tellImGui(window, key, scancode, action, modifiers);
+    WindowState& state = stateOf(window);
+    state.happened = true;
+    const bool arrow = isArrow(key);
+    if (!arrow || !arrowsAreOurs(state) || action == GLFW_RELEASE)
+        tellImGui(window, key, scancode, action, modifiers);
+    if (arrow && !arrowsAreOurs(state))
+        return;
     const bool control = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
     const std::string name = keyName(key, scancode);
     const bool ownUndo = control && (name == "z" || name == "y"); // a text field has its own
     const bool typing = ImGui::GetIO().WantTextInput && (!control || ownUndo) && namedKey(key).empty();
-    if (action != GLFW_PRESS || typing || (modifiers & GLFW_MOD_ALT) != 0)
+    const bool pressed = action == GLFW_PRESS || (arrow && action == GLFW_REPEAT);
+    if (!pressed || typing || (modifiers & GLFW_MOD_ALT) != 0)
         return;
     if (!name.empty())
-        stateOf(window).events.keys.push_back({name, control, (modifiers & GLFW_MOD_SHIFT) != 0});
+        state.events.keys.push_back({name, control, (modifiers & GLFW_MOD_SHIFT) != 0});
 }
 
 void filesDropped(GLFWwindow* window, int count, const char** paths)

@@ -23,6 +23,7 @@ struct WindowState {
     std::vector<int> freshKeys;       ///< pressed since the last frame
     std::vector<int> lateReleases;    ///< released before a frame saw the press
     bool happened = false;
+    bool arrowsForPicture = false; ///< arrow keys are ours, as long as none of Dear ImGui's controls has the keyboard
     bool shown = false;
     float chosenScale = 0.0F; ///< 0: the monitor's
     float fontScale = 0.0F;   ///< the scale that the fonts were made for

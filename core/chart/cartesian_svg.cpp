@@ -1,3 +1,4 @@
+#include "core/chart/labels.h"
 #include "core/chart/svg_writer.h"
 
 #include <algorithm>
@@ -24,10 +25,18 @@ struct Field {
     }
 };
 
-std::size_t legendLines(const Chart& chart)
+constexpr int legendSize = 11, labelSize = 10;
+/// Left of a legend's names, with their marks; and right of them.
+constexpr double legendIndent = 38.0, margin = 20.0;
+
+/// What the names of the series take to the right of the field, marks and margin included; longer names than two fifths of
+/// the picture go into several lines.
+double legendWidth(const Chart& chart, int width)
 {
-    return static_cast<std::size_t>(std::count_if(chart.series.begin(), chart.series.end(),
-                                                  [](const Series& series) { return !series.name.empty(); }));
+    double widest = 0.0;
+    for (const Series& series : chart.series)
+        widest = std::max(widest, textWidth(series.name, legendSize));
+    return widest > 0.0 ? std::clamp(widest + legendIndent + 4.0, 176.0, std::max(176.0, 0.4 * width)) : margin;
 }
 
 /// Where an error bar ends that would leave a logarithmic axis.
@@ -77,11 +86,37 @@ void drawSeries(SvgWriter& svg, const Chart& chart, const Series& series, const 
                      field.x(chart.x, series.x[i] + series.spreadX[i]), y, {series.color, 1.0, opacity});
         if (series.mark != Mark::Line)
             svg.dot(x, y, 3.2, series.color, opacity);
-        if (i < series.labels.size())
-            svg.text(x + 6, y - 5, series.labels[i], Anchor::Start, 10, series.faint ? 0x909090 : 0x303030);
     }
     if (series.mark != Mark::Dots)
         svg.path(commands, {series.color, 1.8, opacity, series.dashed});
+}
+
+/// The names of all points at once, so that none lies on another.
+void drawLabels(SvgWriter& svg, const Chart& chart, const Field& field)
+{
+    std::vector<LabelWish> wishes;
+    std::vector<std::pair<std::string_view, ChartColor>> texts;
+    for (const Series& series : chart.series)
+        for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+            const LabelWish at{field.x(chart.x, series.x[i]), field.y(chart.y, series.y[i])};
+            const std::string_view text = i < series.labels.size() ? series.labels[i] : std::string_view();
+            if (!std::isfinite(at.x) || !std::isfinite(at.y) || series.mark == Mark::Line)
+                continue;
+            wishes.push_back({at.x, at.y, textWidth(text, labelSize), text.empty() ? 0.0 : labelSize + 2.0});
+            texts.emplace_back(text, series.faint ? 0x909090 : 0x303030);
+        }
+    const std::vector<PlacedLabel> labels =
+        placedLabels(wishes, {field.left + 2.0, field.top, field.right, field.bottom - 2.0});
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (texts[i].first.empty())
+            continue;
+        const Box& box = labels[i].box;
+        if (labels[i].far) {
+            const LabelEnd end = endTowards(box, wishes[i].x, wishes[i].y);
+            svg.line(wishes[i].x, wishes[i].y, end.x, end.y, {.color = 0xB0B0B0, .width = 0.8});
+        }
+        svg.text(box.left, box.bottom - 3.0, texts[i].first, Anchor::Start, labelSize, texts[i].second);
+    }
 }
 
 void drawGuides(SvgWriter& svg, const Chart& chart, const Field& field)
@@ -99,7 +134,7 @@ void drawGuides(SvgWriter& svg, const Chart& chart, const Field& field)
         }
 }
 
-void drawLegend(SvgWriter& svg, const Chart& chart, const Field& field)
+void drawLegend(SvgWriter& svg, const Chart& chart, const Field& field, double width)
 {
     double y = field.top + 8;
     for (const Series& series : chart.series) {
@@ -110,8 +145,11 @@ void drawLegend(SvgWriter& svg, const Chart& chart, const Field& field)
             svg.dot(x + 9, y, 3.2, series.color, series.faint ? 0.35 : 1.0);
         else
             svg.line(x, y, x + 18, y, {series.color, 1.8, series.faint ? 0.35 : 1.0, series.dashed});
-        svg.text(x + 24, y + 4, series.name, Anchor::Start, 11);
-        y += 18;
+        for (const std::string_view line : textLines(series.name, legendSize, width - legendIndent)) {
+            svg.text(x + 24, y + 4, line, Anchor::Start, legendSize);
+            y += 14;
+        }
+        y += 4;
     }
 }
 
@@ -120,17 +158,18 @@ void drawLegend(SvgWriter& svg, const Chart& chart, const Field& field)
 std::string svgOf(const Chart& chart, int width, int height)
 {
     SvgWriter svg(width, height);
-    const bool legend = legendLines(chart) > 0;
-    const Field field{64.0, 34.0, std::max(120.0, width - (legend ? 176.0 : 20.0)), std::max(80.0, height - 46.0)};
+    const double legend = legendWidth(chart, width);
+    const Field field{64.0, 34.0, std::max(120.0, width - legend), std::max(80.0, height - 46.0)};
     drawAxes(svg, chart, field);
     svg.clipTo(field.left, field.top, field.right - field.left, field.bottom - field.top);
     for (const bool faint : {true, false})
         for (const Series& series : chart.series)
             if (series.faint == faint)
                 drawSeries(svg, chart, series, field);
+    drawLabels(svg, chart, field);
     drawGuides(svg, chart, field);
     svg.endClip();
-    drawLegend(svg, chart, field);
+    drawLegend(svg, chart, field, legend);
     return svg.finished();
 }
 

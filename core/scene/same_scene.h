@@ -11,7 +11,8 @@ namespace reflectance {
 {
     return a.meshFile == b.meshFile && a.recomputeNormals == b.recomputeNormals && a.mesh == b.mesh &&
            a.camera == b.camera && a.lights == b.lights && a.environment == b.environment &&
-           a.background == b.background && a.surface == b.surface && a.other == b.other && a.sensor == b.sensor;
+           a.background == b.background && a.surface == b.surface && a.other == b.other && a.sensor == b.sensor &&
+           a.variants == b.variants;
 }
 
 } // namespace reflectance

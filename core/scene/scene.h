@@ -34,6 +34,14 @@ struct Surface {
     friend bool operator==(const Surface&, const Surface&) = default;
 };
 
+/// A surface that a scene keeps under a name, to be chosen for A or B.
+struct KeptSurface {
+    std::string name; ///< of its own within a scene
+    Surface surface;
+
+    friend bool operator==(const KeptSurface&, const KeptSurface&) = default;
+};
+
 enum class BackgroundKind { Plain, Environment };
 
 /// What is seen beside the object.
@@ -55,6 +63,7 @@ struct Scene {
     Surface surface;              ///< A, where two variants are compared
     std::optional<Surface> other; ///< B; everything else A and B share
     Sensor sensor;
+    std::vector<KeptSurface> variants = {}; ///< kept beside A and B; no picture depends on them
 };
 
 /// The clay mug under two lights, as the explorer opens it. The mesh is embedded in the program.

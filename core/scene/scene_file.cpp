@@ -23,6 +23,8 @@ std::vector<std::string> filesOf(const Scene& scene)
                                    scene.surface.modelFile, scene.sensor.response.file};
     if (scene.other)
         files.insert(files.end(), {scene.other->tableFile, scene.other->modelFile});
+    for (const KeptSurface& variant : scene.variants)
+        files.insert(files.end(), {variant.surface.tableFile, variant.surface.modelFile});
     return files;
 }
 

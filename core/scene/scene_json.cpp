@@ -217,6 +217,20 @@ void readSurface(ObjectReader object, Surface& surface, const ScenePaths& paths)
     object.finish();
 }
 
+void readVariants(ObjectReader& object, Scene& scene, const ScenePaths& paths)
+{
+    object.readList("variants", scene.variants, [&](ObjectReader part, KeptSurface& variant) {
+        part.read("name", variant.name);
+        part.readObject("surface", [&](ObjectReader surface) { readSurface(surface, variant.surface, paths); });
+        part.finish();
+        const auto named = [&](const KeptSurface& other) { return other.name == variant.name; };
+        if (variant.name.empty())
+            part.fail("a variant has no name; give it one, \"name\"");
+        else if (std::count_if(scene.variants.begin(), scene.variants.end(), named) > 1)
+            part.fail("two variants are named '" + variant.name + "'; rename one of them");
+    });
+}
+
 void readMeshKeys(ObjectReader& object, Scene& scene, const ScenePaths& paths)
 {
     const std::string before = scene.meshFile;
@@ -250,6 +264,7 @@ void readScene(ObjectReader object, Scene& scene, const ScenePaths& paths)
     object.readObject("background", [&](ObjectReader part) { readBackground(part, scene.background); });
     object.readObject("surface", [&](ObjectReader part) { readSurface(part, scene.surface, paths); });
     object.readObject("compare", [&](ObjectReader part) { readSurface(part, scene.other.emplace(), paths); });
+    readVariants(object, scene, paths);
     object.readObject("sensor", [&](ObjectReader part) {
         readSensor(part, scene.sensor, [&](const std::string& path) { return resolvedPath(paths, path); });
     });
@@ -279,6 +294,8 @@ Json sceneJson(const Scene& scene, const ScenePaths& paths)
         {"sensor", writtenSensor(scene.sensor, [&](const std::string& path) { return writtenPath(paths, path); })}};
     if (scene.other)
         json["compare"] = written(*scene.other, paths);
+    for (const KeptSurface& variant : scene.variants)
+        json["variants"].push_back({{"name", variant.name}, {"surface", written(variant.surface, paths)}});
     return json;
 }
 

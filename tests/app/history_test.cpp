@@ -5,6 +5,7 @@
 #include "app/explorer/keys.h"
 #include "app/explorer/state.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/variants.h"
 
 #include <gmock/gmock.h>
 #include <random>
@@ -265,6 +266,44 @@ TEST(History, NamesItsSteps)
     EXPECT_EQ(nameAfter([](S& s) { press({"b"}, s); }), "Put clay away");
     EXPECT_EQ(nameAfter([](S& s) { s.scene.sensor.exposure = 2; }), "Exposure");
     EXPECT_EQ(nameAfter([](S& s) { s.scene.camera.target = {1, 0, 0}; }), "Move the camera");
+}
+
+TEST(History, BringsBackHowTwoVariantsWereShown)
+{
+    Desk desk;
+    press({"c"}, desk.state);
+    desk.frame();
+    desk.state.compare.mode = CompareMode::Wipe;
+    desk.frame();
+    EXPECT_EQ(desk.state.history.undoName(), "Wipe");
+    press({"b"}, desk.state); // clay is shown side by side
+    desk.frame();
+    desk.state.history.undo(desk.state);
+    EXPECT_EQ(desk.state.compare.mode, CompareMode::Wipe);
+    desk.state.history.undo(desk.state);
+    EXPECT_EQ(desk.state.compare.mode, CompareMode::SideBySide);
+    desk.state.history.redo(desk.state);
+    EXPECT_EQ(desk.state.compare.mode, CompareMode::Wipe);
+}
+
+TEST(History, CoversWhatIsKeptUnderNames)
+{
+    Desk desk;
+    keepVariant(desk.state.scene, desk.state.scene.surface);
+    desk.frame();
+    const std::string name = desk.state.scene.variants[0].name;
+    EXPECT_EQ(desk.state.history.undoName(), "Keep " + name);
+    ASSERT_TRUE(renameVariant(desk.state.scene, 0, "before"));
+    desk.frame();
+    EXPECT_EQ(desk.state.history.undoName(), "Rename " + name);
+    desk.state.scene.variants.clear();
+    desk.frame();
+    EXPECT_EQ(desk.state.history.undoName(), "Remove a variant");
+    desk.state.history.go(1, desk.state);
+    ASSERT_EQ(desk.state.scene.variants.size(), 1U);
+    EXPECT_EQ(desk.state.scene.variants[0].name, name);
+    desk.state.history.undo(desk.state);
+    EXPECT_TRUE(desk.state.scene.variants.empty());
 }
 
 TEST(History, LeadsBackFromAHazardsCase)

@@ -142,6 +142,32 @@ TEST_P(GlWorkCounts, ADragOfASliderOnlyShades)
     EXPECT_EQ(figures(renderer().work()), (Figures{1, 1, 51, 51, 5, 1}));
 }
 
+TEST_P(GlWorkCounts, AMeshAndItsSmallStandInTakeTurnsWithoutUploads)
+{
+    Scene scene = twoLightScene("hybrid");
+    const std::shared_ptr<const Mesh> whole = scene.mesh, standIn = square();
+    ASSERT_LE(standIn->triangles.size(), whole->triangles.size() / 4);
+    for (int turn = 0; turn < 5; ++turn)
+        for (const auto& mesh : {whole, standIn}) {
+            scene.mesh = mesh;
+            render(scene, small);
+        }
+    EXPECT_EQ(renderer().work().meshUploads, 2U);
+    EXPECT_EQ(renderer().work().visibilities, 10U);
+}
+
+TEST_P(GlWorkCounts, TwoMeshesOfOneSizeAreNeverKeptTogether)
+{
+    Scene scene = twoLightScene("hybrid");
+    const std::shared_ptr<const Mesh> first = square(), second = square();
+    for (int turn = 0; turn < 3; ++turn)
+        for (const auto& mesh : {first, second}) {
+            scene.mesh = mesh;
+            render(scene, small);
+        }
+    EXPECT_EQ(renderer().work().meshUploads, 6U);
+}
+
 TEST_P(GlWorkCounts, ShadesAgainWhenAsked)
 {
     const Scene scene = twoLightScene("hybrid");

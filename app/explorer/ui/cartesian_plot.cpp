@@ -1,6 +1,7 @@
 #include "app/explorer/ui/plot.h"
 #include "app/explorer/ui/plot_canvas.h"
 #include "core/base/text.h"
+#include "core/chart/labels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,11 +68,41 @@ void drawSeries(ImDrawList& list, const Series& series, const Field& field)
         }
         if (series.mark != Mark::Line)
             list.AddCircleFilled(at, points(3.2F), color);
-        if (i < series.labels.size())
-            plotText(list, at.x + points(6), at.y - points(6), TextAnchor::Left, series.labels[i],
-                     series.faint ? palette::quiet : palette::text);
     }
     flush();
+}
+
+/// The names of all points at once, so that none lies on another.
+void drawLabels(ImDrawList& list, const Field& field)
+{
+    std::vector<LabelWish> wishes;
+    std::vector<std::pair<std::string_view, ImU32>> texts;
+    const double unit = points(1); // names are placed at the interface's scale 1
+    for (const Series& series : field.chart.series)
+        for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+            const ImVec2 at{field.x(series.x[i]), field.y(series.y[i])};
+            const std::string_view text = i < series.labels.size() ? series.labels[i] : std::string_view();
+            if (!std::isfinite(at.x) || !std::isfinite(at.y) || series.mark == Mark::Line)
+                continue;
+            const ImVec2 size = text.empty() ? ImVec2() : sizeIn(Face::Small, text);
+            wishes.push_back({at.x / unit, at.y / unit, size.x / unit, size.y / unit});
+            texts.emplace_back(text, series.faint ? palette::quiet : palette::text);
+        }
+    const auto labels =
+        placedLabels(wishes, {field.low.x / unit, field.low.y / unit, field.high.x / unit, field.high.y / unit});
+    const auto place = [unit](double x, double y) {
+        return ImVec2(static_cast<float>(x * unit), static_cast<float>(y * unit));
+    };
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (texts[i].first.empty())
+            continue;
+        const Box& box = labels[i].box;
+        if (labels[i].far) {
+            const LabelEnd end = endTowards(box, wishes[i].x, wishes[i].y);
+            list.AddLine(place(wishes[i].x, wishes[i].y), place(end.x, end.y), palette::quiet);
+        }
+        drawText(list, Face::Small, place(box.left, box.top), texts[i].second, texts[i].first);
+    }
 }
 
 void drawGuides(ImDrawList& list, const Field& field)
@@ -125,6 +156,7 @@ PlotHover drawPlot(const char* id, const Chart& chart, ImVec2 size)
         for (const Series& series : chart.series)
             if (series.faint == faint)
                 drawSeries(list, series, field);
+    drawLabels(list, field);
     drawGuides(list, field);
     list.PopClipRect();
     drawLegend(list, {field.high.x - points(6), field.low.y}, legendOf(chart));

@@ -34,15 +34,24 @@ void beginPiece(const char* id, ImVec2 corner, ImVec2 size)
     ImGui::PopStyleColor();
 }
 
-float modesHeight()
+} // namespace
+
+float compareBarHeight()
 {
     return ImGui::GetFrameHeight() + sizeIn(Face::Small, "0").y + points(20);
 }
 
+float compareBarWidth(float pictureWidth)
+{
+    return std::min(points(440), pictureWidth - points(16));
+}
+
+namespace {
+
 void drawModes(ExplorerState& state, const Area& area)
 {
-    const float width = std::min(points(440), area.width - points(16));
-    const float height = modesHeight();
+    const float width = compareBarWidth(area.width);
+    const float height = compareBarHeight();
     beginPiece("##compare", {std::round(area.x + (area.width - width) / 2), area.y + points(8)}, {width, height});
     const int pressed = choiceRow(modes, static_cast<int>(state.compare.mode));
     if (pressed >= 0)
@@ -100,7 +109,7 @@ void drawDivider(ExplorerState& state, const Area& area)
     const float x = area.x + compare.divider * area.width;
     const float reach = points(7);
     // Between the bar above and the names below.
-    const float top = area.y + modesHeight() + points(12);
+    const float top = area.y + compareBarHeight() + points(12);
     const float height = std::max(1.0F, area.bottom() - top - ImGui::GetFrameHeight() - points(12));
     ImGui::SetCursorScreenPos({x - reach, top});
     ImGui::BeginChild("##divider", {2 * reach, height}, false, still | ImGuiWindowFlags_NoBackground);

@@ -10,6 +10,10 @@ namespace reflectance::explorer {
 /// Over the picture's area, inside its window. `panes` are where A and B stand.
 void drawCompareOverlay(ExplorerState& state, const Area& area, const Panes& panes);
 
+/// Of the bar with the ways of showing and the figures, which stands in the middle of the picture's upper edge.
+[[nodiscard]] float compareBarHeight();
+[[nodiscard]] float compareBarWidth(float pictureWidth);
+
 /// "RMSE 0.0123, largest 0.2; dE2000 ..." for the figures, or a sentence where there is nothing to measure.
 [[nodiscard]] std::string figuresText(const std::optional<DifferenceFigures>& figures);
 

@@ -76,11 +76,16 @@ Badge badgeOf(const ExplorerState& state)
             grouped(check.beyond) + " pixels are beyond their bound.\n" + aboutCheck(state, check), palette::error};
 }
 
+float glBadgeWidth(const ExplorerState& state)
+{
+    return sizeIn(Face::Small, badgeOf(state).text).x + points(30);
+}
+
 void drawGlBadge(ExplorerState& state, ImVec2 topLeft)
 {
     const Badge badge = badgeOf(state);
     const ImVec2 text = sizeIn(Face::Small, badge.text);
-    const ImVec2 size{text.x + points(30), text.y + points(10)};
+    const ImVec2 size{glBadgeWidth(state), text.y + points(10)};
     ImGui::SetCursorScreenPos(topLeft);
     if (ImGui::InvisibleButton("##gl badge", size))
         state.markWorstPixel = !state.markWorstPixel;

@@ -14,6 +14,8 @@ struct Badge {
 };
 [[nodiscard]] Badge badgeOf(const ExplorerState& state);
 
+[[nodiscard]] float glBadgeWidth(const ExplorerState& state);
+
 /// In the current window. A click marks the worst pixel, or marks it no more.
 void drawGlBadge(ExplorerState& state, ImVec2 topLeft);
 

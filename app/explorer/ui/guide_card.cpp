@@ -70,7 +70,10 @@ void drawChoices(Guide& guide)
         if (guide.revealed)
             color = number == guide.step.right ? palette::good : palette::quiet;
         ImGui::PushStyleColor(ImGuiCol_Text, color);
-        if (ImGui::RadioButton("##choice", guide.picked == number) && !guide.revealed)
+        ImGui::PushStyleColor(ImGuiCol_FrameBg, palette::raised); // the card's ground is that of the controls
+        const bool pressed = ImGui::RadioButton("##choice", guide.picked == number);
+        ImGui::PopStyleColor();
+        if (pressed && !guide.revealed)
             guide.picked = number;
         tooltip(guide.revealed ? "The answer is below."
                                : "What do you expect? You can change your mind until you look.");

@@ -115,6 +115,15 @@ void drawLens(const Pen& pen)
     pen.line(std::array<ImVec2, 2>{{{0.3F, 0.3F}, {0.95F, 0.95F}}});
 }
 
+/// A spot of light in a ring, and where it goes.
+void drawSpot(const Pen& pen)
+{
+    pen.list.AddCircleFilled(pen.at(-0.3F, 0.3F), 0.3F * pen.radius, pen.color);
+    pen.circle(-0.3F, 0.3F, 0.62F);
+    pen.line(std::array<ImVec2, 2>{{{0.2F, -0.2F}, {0.9F, -0.9F}}});
+    pen.line(std::array<ImVec2, 3>{{{0.3F, -0.9F}, {0.9F, -0.9F}, {0.9F, -0.3F}}});
+}
+
 void drawReset(const Pen& pen)
 {
     pen.arc(-230, 50, 0.8F);
@@ -165,6 +174,8 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float radius, ImU32 co
         return drawCamera(pen);
     case Icon::Lens:
         return drawLens(pen);
+    case Icon::Grab:
+        return drawSpot(pen);
     case Icon::Reset:
         return drawReset(pen);
     case Icon::Tour:

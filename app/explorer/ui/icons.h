@@ -5,7 +5,7 @@
 
 namespace reflectance::explorer {
 
-enum class Icon { Open, Undo, Redo, Frame, Turntable, Lights, Compare, Camera, Lens, Reset, Tour, Help };
+enum class Icon { Open, Undo, Redo, Frame, Turntable, Lights, Compare, Camera, Lens, Grab, Reset, Tour, Help };
 
 /// Inside the circle of `radius` about `centre`.
 void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float radius, ImU32 color);

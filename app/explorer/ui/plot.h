@@ -17,8 +17,9 @@ struct PlotHover {
 /// Takes `size` pixels at the cursor. A reading of every series at the mouse's x floats beside it. `id` is unique in the page.
 PlotHover drawPlot(const char* id, const Chart& chart, ImVec2 size);
 
-/// x is the angle in radians, y the radius. The reading gives every curve at that angle.
-PlotHover drawPlot(const char* id, const PolarChart& chart, ImVec2 size);
+/// x is the angle in radians, y the radius. The reading gives every curve at that angle. `named` writes the curves' names above
+/// the disc, where no plot beside it does.
+PlotHover drawPlot(const char* id, const PolarChart& chart, ImVec2 size, bool named = false);
 
 /// Holes are hatched; the reading names the cell under the mouse.
 PlotHover drawPlot(const char* id, const HeatMap& map, ImVec2 size);

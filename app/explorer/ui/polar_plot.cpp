@@ -94,9 +94,17 @@ void readCurves(const PolarChart& chart, double angle)
     showReading("\u03B8_r = " + general(angle * 180.0 / std::numbers::pi, 4) + "\u00B0", entries);
 }
 
+void drawNames(ImDrawList& list, const PolarChart& chart, ImVec2 upperRight)
+{
+    std::vector<PlotEntry> entries;
+    for (const PolarChart::Curve& curve : chart.curves)
+        entries.push_back({onDark(curve.color, curve.faint ? 0.4F : 1.0F), curve.name});
+    drawLegend(list, upperRight, entries);
+}
+
 } // namespace
 
-PlotHover drawPlot(const char* id, const PolarChart& chart, ImVec2 size)
+PlotHover drawPlot(const char* id, const PolarChart& chart, ImVec2 size, bool named)
 {
     const PlotArea area = plotArea(id, size);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -113,6 +121,8 @@ PlotHover drawPlot(const char* id, const PolarChart& chart, ImVec2 size)
     for (const PolarChart::Curve& curve : chart.curves)
         drawCurve(list, chart, curve, disc);
     list.PopClipRect();
+    if (named)
+        drawNames(list, chart, {area.topLeft.x + area.size.x - points(8), area.topLeft.y + points(4)});
     plotText(list, disc.centre.x, disc.centre.y + points(24), TextAnchor::Centre, chart.radiusLabel);
 
     const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -28,8 +28,16 @@ StatusPart trianglePart(const ExplorerState& state)
 {
     const std::size_t count = state.scene.mesh ? state.scene.mesh->triangles.size() : 0;
     const std::size_t vertices = state.scene.mesh ? state.scene.mesh->positions.size() : 0;
-    return {grouped(count) + " triangles", inThousands(count) + " tri",
-            grouped(count) + " triangles, " + grouped(vertices) + " vertices.", 5, false};
+    const StandInFacts& standIn = state.standIn;
+    std::string about = grouped(count) + " triangles, " + grouped(vertices) + " vertices.";
+    if (standIn.triangles > 0)
+        about += "\nWhile the camera moves, a stand-in of " + grouped(standIn.triangles) + " triangles is drawn (" +
+                 general(static_cast<double>(standIn.bytes) / 1e6, 2) +
+                 " MB), since whole pictures are slow here; at rest every triangle is there.";
+    if (standIn.shown)
+        return {"moving: " + grouped(standIn.triangles) + " of " + grouped(count) + " triangles",
+                inThousands(standIn.triangles) + " of " + inThousands(count), about, 5, true};
+    return {grouped(count) + " triangles", inThousands(count) + " tri", about, 5, false};
 }
 
 StatusPart rendererPart(const ExplorerState& state)

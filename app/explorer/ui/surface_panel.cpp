@@ -4,6 +4,7 @@
 #include "app/explorer/ui/formula_view.h"
 #include "app/explorer/ui/parameter_rows.h"
 #include "app/explorer/ui/table_rows.h"
+#include "app/explorer/ui/variant_rows.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/base/text.h"
 
@@ -172,6 +173,7 @@ void drawSurfacePanel(ExplorerState& state)
     for (const Parameter& parameter : model.parameters)
         parameterRows(model, parameter, state);
     drawKeptValues(model, surfaceInHand(state.compare, state.scene).values);
+    variantRows(state);
 }
 
 } // namespace reflectance::explorer

@@ -71,7 +71,7 @@ void drawOpenButton(ExplorerState& state, bool withLabels)
     }
 }
 
-constexpr std::array<const char*, 8> leftLabels = {"Open",    "Frame", "Turntable", "Handles",
+constexpr std::array<const char*, 9> leftLabels = {"Open",    "Frame", "Turntable", "Handles", "Grab",
                                                    "Compare", "Lens",  "Picture",   "Reset"};
 
 bool labelsFit(float width)
@@ -123,6 +123,12 @@ void drawToolbar(ExplorerState& state)
     if (drawToolButton({Icon::Lights, "Handles", handles, withLabels},
                        "Show the handles of the lights; drag one to move its light.  H"))
         handles = !handles;
+    bool& grabs = state.grab.on;
+    if (drawToolButton(
+            {Icon::Grab, "Grab", grabs, withLabels},
+            "Take hold of light in the picture: drag a highlight and its light follows (R.V = 1 under the hand), "
+            "drag its edge to change n, drag the terminator (N.L = 0). Arrow keys move it, too.  S"))
+        grabs = !grabs;
     if (drawToolButton({Icon::Lens, "Lens", state.lens.has_value(), withLabels},
                        "Paint the digits that float, half, SIMD or GL keep of double over the picture.  L"))
         state.lens = state.lens ? std::nullopt : std::optional(LensKind::Float);

@@ -7,6 +7,7 @@
 #include "core/render/gl/sample_reader.h"
 #include "core/render/gl/sensor_pass.h"
 #include "core/render/gl/shading_pass.h"
+#include "core/render/gl/uploaded_meshes.h"
 #include "core/render/gl/visibility_pass.h"
 
 #include <optional>
@@ -53,7 +54,7 @@ void leaveState(const Gl& gl)
 
 struct GlRenderer::State {
     State(std::unique_ptr<GlFunctions> loaded, std::unique_ptr<ProgramLinker> made, VisibilityPass first)
-        : functions(std::move(loaded)), linker(std::move(made)), mesh(functions->gl()), visibility(std::move(first)),
+        : functions(std::move(loaded)), linker(std::move(made)), meshes(functions->gl()), visibility(std::move(first)),
           shading(*linker), sensor(*linker), reader(functions->gl())
     {
     }
@@ -72,7 +73,7 @@ struct GlRenderer::State {
     {
         leaveState(functions->gl());
         work.tableUploads = shading.tableUploads();
-        work.uploadedBytes = meshBytes + shading.uploadedBytes();
+        work.uploadedBytes = meshes.uploadedBytes() + shading.uploadedBytes();
         work.targetBytes = visibility.bytes() + shading.linear().bytes() + sensor.developed().bytes();
         work.programLinks = 2 + sensor.programs() + shading.programs() + (evaluation ? evaluation->programs() : 0);
         work.programsLoaded = linker->loaded();
@@ -82,7 +83,7 @@ struct GlRenderer::State {
 
     std::unique_ptr<GlFunctions> functions; // first in, last out: the passes return their names through it
     std::unique_ptr<ProgramLinker> linker;  // the passes hold its address
-    MeshBuffers mesh;
+    UploadedMeshes meshes;
     VisibilityPass visibility;
     ShadingPass shading;
     SensorPass sensor;
@@ -91,8 +92,6 @@ struct GlRenderer::State {
     GlWork work;
 
     // The inputs of the last run of each pass; none until it ran, and after a pass before it ran anew.
-    std::shared_ptr<const Mesh> uploaded;
-    std::uint64_t meshBytes = 0; ///< of all meshes that were uploaded
     std::optional<RenderSettings> allocated;
     std::optional<ViewInputs> seen;
     std::optional<ShadingInputs> shaded;
@@ -137,15 +136,11 @@ Result<void> GlRenderer::State::see(const ViewInputs& view)
 {
     seen.reset();
     shaded.reset();
-    if (uploaded != view.mesh) {
-        uploaded.reset();
-        if (auto done = mesh.upload(*view.mesh); !done)
-            return done;
-        uploaded = view.mesh;
-        meshBytes += mesh.bytes();
-        ++work.meshUploads;
-    }
-    visibility.draw(mesh, view.camera, view.settings);
+    const auto mesh = meshes.buffersOf(view.mesh);
+    work.meshUploads = meshes.uploads();
+    if (!mesh)
+        return mesh.error();
+    visibility.draw(**mesh, view.camera, view.settings);
     shading.samplesChanged();
     ++work.visibilities;
     seen = view;

@@ -247,7 +247,7 @@ void drawLaboratoryPage(ExplorerState& state)
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool both = room.x > points(560);
     const float width = both ? 0.5F * room.x : room.x;
-    drawPlot("lobe", lobeChart(*run, "traced", incidence, formulas), {width, room.y});
+    drawPlot("lobe", lobeChart(*run, "traced", incidence, formulas), {width, room.y}, !both);
     if (!both)
         return;
     ImGui::SameLine();
