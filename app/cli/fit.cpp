@@ -1,6 +1,7 @@
 // `fit`: the parameters with which a model comes nearest to a measured table or to the pixels of a picture; `--all`: every model
 // on many surfaces.
 #include "app/cli/fit_report.h"
+#include "app/cli/launched.h"
 #include "app/cli/long_work.h"
 #include "app/cli/page.h"
 #include "app/cli/report.h"
@@ -10,6 +11,7 @@
 #include "core/math/angle.h"
 #include "core/measured/load.h"
 #include "core/scene/scene_file.h"
+#include "core/study/crew/ranks.h"
 #include "core/study/fit/picture_observations.h"
 #include "core/study/fit/plane_chart.h"
 #include "core/study/fit/survey_page.h"
@@ -38,6 +40,7 @@ struct Options {
     bool all = false;
     double tolerance = 0.1;
     std::string csv, markdown;
+    SurveyRun run;
 };
 
 Result<void> checkedNames(const ModelText& model, const std::vector<std::string>& names)
@@ -141,7 +144,7 @@ Result<FitResult> fitWatched(const Model& model, const Observations& observation
 
 int ended(const Error& error)
 {
-    return LongWork::wasStopped() ? Stopped : refused(error);
+    return LongWork::wasStopped() ? Stopped : refusedHere(error, BadInput);
 }
 
 /// The fitted curve over the measurement.
@@ -189,6 +192,8 @@ int fitOne(const Options& options)
 
 int fitAll(const Options& options)
 {
+    if (const auto code = refusedLaunch())
+        return *code;
     if (!options.model.empty() || !options.picture.empty() || !options.out.empty() || !options.fixed.empty())
         return refused(Error{"--all fits every model; leave --model, --fix, --pixels and --out away"});
     if (options.inputs.empty())
@@ -198,10 +203,12 @@ int fitAll(const Options& options)
         return refused(fitOptions.error());
     const auto found = [&] {
         const LongWork work;
-        return survey(options.inputs, *fitOptions, &LongWork::progress());
+        return survey(options.inputs, *fitOptions, &LongWork::progress(), options.run);
     }();
     if (!found)
         return ended(found.error());
+    if (isHelper())
+        return Done;
     if (options.json != "-")
         print(*found, options.tolerance);
     if (const auto written = writeReport(options.json, described(*found, options.tolerance)); !written)
@@ -264,6 +271,12 @@ void addSurveyFlags(CLI::App& verb, Options& options)
         ->capture_default_str();
     verb.add_option("--csv", options.csv, "with --all: a line per surface and model");
     verb.add_option("--markdown", options.markdown, "with --all: a page with plots");
+    verb.add_option("--resume", options.run.journal,
+                    "with --all: a file that keeps every fit as it is done, and from which the same command goes on");
+    verb.add_option("--workers", options.run.workers,
+                    "with --all: processes with a fit at a time, under mpirun in every rank; 0: one per core")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
 }
 
 } // namespace

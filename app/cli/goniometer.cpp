@@ -1,5 +1,6 @@
 // `goniometer`: a micro-surface, measured from all lighting and viewing directions into a table.
 #include "app/cli/goniometer_report.h"
+#include "app/cli/launched.h"
 #include "app/cli/long_work.h"
 #include "app/cli/page.h"
 #include "app/cli/report.h"
@@ -8,8 +9,10 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/math/angle.h"
+#include "core/study/crew/ranks.h"
 #include "core/study/goniometer/checkpoint.h"
 #include "core/study/goniometer/groove_study.h"
+#include "core/study/goniometer/lab_crew.h"
 #include "core/study/goniometer/lobe_charts.h"
 
 #include <CLI/CLI.hpp>
@@ -29,6 +32,7 @@ struct Options {
     std::optional<double> azimuth;
     std::uint64_t seed = 1;
     long samples = 4096;
+    unsigned workers = 0;
     std::optional<double> error, seconds;
     std::string out, errors, resume, json, plot, study;
     std::optional<double> thetaI;
@@ -167,7 +171,7 @@ std::string checkpointOf(const Options& options)
 }
 
 /// Measures; the file of the run is renewed on the way, and always at the end.
-Result<void> measureWatched(Bench& bench, const Options& options)
+Result<LabFailures> measureWatched(Bench& bench, const Options& options)
 {
     constexpr std::chrono::seconds between{20};
     const MicroTracer tracer(bench.surface, bench.facets, bench.run.setup.effects);
@@ -178,15 +182,25 @@ Result<void> measureWatched(Bench& bench, const Options& options)
     auto saved = std::chrono::steady_clock::now();
     Result<void> written;
     const LongWork work;
-    measure(bench.run, tracer, targets, &LongWork::progress(), [&](const LabRun& run) {
+    const auto watch = [&](const LabRun& run) {
         if (std::chrono::steady_clock::now() - saved < between)
             return;
         written = writeAtomically(checkpointOf(options), checkpointText(run));
         saved = std::chrono::steady_clock::now();
-    });
+    };
+    const auto measured = measureWithCrew(bench.run, tracer, targets, options.workers, &LongWork::progress(), watch);
+    if (isHelper())
+        return measured;
     if (auto last = writeAtomically(checkpointOf(options), checkpointText(bench.run)); !last)
-        return last;
-    return written;
+        return last.error();
+    return !measured || written ? measured : Result<LabFailures>(written.error());
+}
+
+/// Cells of which processes died.
+void print(const LabFailures& failures)
+{
+    for (const auto& [cell, why] : failures)
+        std::cerr << "reflectance: cell " << cell << " could not be measured any further: " << why << '\n';
 }
 
 Result<std::optional<NamedFactor>> rivalFrom(const Options& options)
@@ -247,10 +261,12 @@ int runStudy(const Options& options)
 
 int run(const Options& options)
 {
+    if (const auto code = refusedLaunch())
+        return *code;
     if (const auto targets = checkedTargets(options); !targets)
         return refused(targets.error());
     if (!options.study.empty())
-        return runStudy(options);
+        return isHelper() ? Done : runStudy(options); // on one machine
     if (options.surface.empty() && options.resume.empty())
         return refused(
             Error{"name a micro-surface, as vgrooves:sigma=30, or a run to go on with by --resume FILE.lab"});
@@ -261,20 +277,25 @@ int run(const Options& options)
         return refused(rival.error());
     auto bench = options.resume.empty() ? benchFromFlags(options) : benchFromFile(options);
     if (!bench)
-        return refused(bench.error());
+        return refusedHere(bench.error(), BadInput);
     const auto format = checkedOutputs(options, *bench);
     if (!format)
         return refused(format.error());
-    if (const auto measured = measureWatched(*bench, options); !measured)
-        return refused(measured.error());
+    const auto measured = measureWatched(*bench, options);
+    if (!measured)
+        return refusedHere(measured.error(), BadInput);
+    if (isHelper())
+        return Done;
     if (LongWork::wasStopped()) {
         std::cerr << "reflectance: stopped after " << bench->run.paths()
                   << " paths; go on with 'reflectance goniometer --resume " << checkpointOf(options) << " --out "
                   << options.out << "'\n";
         return Stopped;
     }
-    const auto written = writeResults(*bench, options, *format, *rival);
-    return written ? Done : refused(written.error());
+    print(*measured);
+    if (const auto written = writeResults(*bench, options, *format, *rival); !written)
+        return refused(written.error());
+    return measured->empty() ? Done : DoesNotHold;
 }
 
 void addSetupFlags(CLI::App& verb, const std::shared_ptr<Options>& options)
@@ -320,6 +341,9 @@ void addGoniometer(CLI::App& program, int& exitCode)
                      "refine until no cell's standard error is above this share of the rms of f: 0.01");
     verb->add_option("--seconds", options->seconds,
                      "stop after this time; without --error the cells with the largest errors are refined until then");
+    verb->add_option("--workers", options->workers, "processes that trace, under mpirun in every rank; 0: one per core")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
     verb->add_option("--resume", options->resume,
                      "go on with a run: the .lab file that every run leaves beside its table");
     verb->add_option("--out", options->out, "the table: .csv, or .json or .xompt (OpenMATERIAL 3D)");

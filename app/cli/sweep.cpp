@@ -1,11 +1,13 @@
 // `sweep`: a grid of renders and their figures.
 #include "core/study/sweep/sweep.h"
 
+#include "app/cli/launched.h"
 #include "app/cli/long_work.h"
 #include "app/cli/report.h"
 #include "app/cli/verbs.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/study/crew/ranks.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -37,6 +39,8 @@ Result<void> checkMany(const Options& options, const Study& study)
     const std::uint64_t cells = cellCount(study);
     if (cells <= manyCells || options.yes)
         return {};
+    if (isHelper())
+        return Error{"too many cells; the first rank says more"};
     const SweepEstimate cost = estimated(study, options.sweep);
     return Error{
         "the study has " + std::to_string(cells) + " cells, which take about " +
@@ -48,22 +52,36 @@ Result<void> checkMany(const Options& options, const Study& study)
         options.study};
 }
 
+Result<void> checkTimed(const Options& options)
+{
+    const auto ranks = ranksHere();
+    if (options.sweep.timing && ranks && ranks->areMany)
+        return Error{"--timing: cells are timed one after the other, so leave mpirun away"};
+    return {};
+}
+
 int run(const Options& options)
 {
+    if (const auto code = refusedLaunch())
+        return *code;
+    if (const auto timed = checkTimed(options); !timed)
+        return refusedHere(timed.error(), BadInput);
     if (!options.json.empty() && options.json != "-")
         if (const auto writable = checkWritable(options.json); !writable)
             return refused(writable.error());
     const auto study = loadStudy(options.study);
     if (!study)
-        return refused(study.error());
+        return refusedHere(study.error(), BadInput);
     if (const auto agreed = checkMany(options, *study); !agreed)
-        return refused(agreed.error());
+        return refusedHere(agreed.error(), BadInput);
     const auto done = [&] {
         const LongWork work;
         return sweep(*study, options.sweep, &LongWork::progress());
     }();
     if (!done)
-        return refused(done.error(), LongWork::wasStopped() ? Stopped : BadInput);
+        return refusedHere(done.error(), LongWork::wasStopped() ? Stopped : BadInput);
+    if (isHelper())
+        return Done;
     if (const auto written = writeReport(options.json, {{"cells", done->cells},
                                                         {"computed", done->cells - done->before},
                                                         {"already_there", done->before},
@@ -93,7 +111,8 @@ void addSweep(CLI::App& program, int& exitCode)
     verb->add_option("--pictures", options->sweep.pictures, "folder for a picture of every cell, cell_0.png and so on");
     verb->add_flag("--timing", options->sweep.timing,
                    "a column of milliseconds per shading; cells then run one after the other");
-    verb->add_option("--workers", options->sweep.workers, "cells at a time; 0: one per core")
+    verb->add_option("--workers", options->sweep.workers,
+                     "processes with a cell at a time, under mpirun in every rank; 0: one per core")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     verb->add_flag("--yes", options->yes, "go ahead with more than 10000 cells");

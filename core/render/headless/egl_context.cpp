@@ -1,7 +1,7 @@
 // EGL without a surface: Mesa's surfaceless platform, asked for by name (the default display fails where there is
 // neither X nor an EGL_PLATFORM variable); other drivers, NVIDIA's among them, offer their devices instead.
 #include "core/render/headless/makers.h"
-#include "core/render/headless/shared_library.h"
+#include "core/base/shared_library.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

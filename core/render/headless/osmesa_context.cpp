@@ -1,7 +1,7 @@
 // OSMesa: Mesa's software rasteriser drawing into memory. Mesa 25.1 removed it; EGL stands beside it.
 #include "core/render/headless/driver_ahead.h"
 #include "core/render/headless/makers.h"
-#include "core/render/headless/shared_library.h"
+#include "core/base/shared_library.h"
 
 #include <GL/osmesa.h>
 #include <array>

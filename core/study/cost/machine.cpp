@@ -1,12 +1,10 @@
 #include "core/study/cost/machine.h"
 
+#include "core/base/cores.h"
 #include "core/base/text.h"
 #include "core/reflectance/kernel_tables.h"
 
-#include <algorithm>
 #include <fstream>
-#include <sched.h>
-#include <thread>
 #include <utility>
 
 namespace reflectance {
@@ -19,15 +17,6 @@ std::string processorName()
         if (line.starts_with("model name"))
             return std::string(trimmed(std::string_view(line).substr(line.find(':') + 1)));
     return "unknown processor";
-}
-
-unsigned usableCores()
-{
-    cpu_set_t allowed;
-    CPU_ZERO(&allowed);
-    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)
-        return static_cast<unsigned>(std::max(1, CPU_COUNT(&allowed)));
-    return std::max(1U, std::thread::hardware_concurrency());
 }
 
 std::string compilerName()

@@ -3,6 +3,8 @@
 #include "core/base/text.h"
 #include "core/measured/load.h"
 #include "core/study/cost/shading_cost.h"
+#include "core/study/crew/ranks.h"
+#include "core/study/fit/survey_run.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -46,15 +48,10 @@ bool isOtherHalf(const Source& source)
            fs::exists(fs::path(source.path).parent_path() / "abrdf.dat");
 }
 
-struct Subject {
-    SurveyedSurface surface;
-    Observations data;
-};
-
-Subject subjectOf(const Measurement& measurement, const std::string& path, std::size_t number)
+SurveySubject subjectOf(const Measurement& measurement, const std::string& path, std::size_t number)
 {
     const Provenance& provenance = provenanceOf(measurement);
-    Subject subject{{}, greyOf(observationsOf(measurement))};
+    SurveySubject subject{{}, greyOf(observationsOf(measurement))};
     subject.surface.name = fs::path(path).stem().string();
     if (provenance.surfaces > 1)
         subject.surface.name += " " + std::to_string(number);
@@ -64,9 +61,9 @@ Subject subjectOf(const Measurement& measurement, const std::string& path, std::
     return subject;
 }
 
-Result<std::vector<Subject>> subjectsIn(const Source& source)
+Result<std::vector<SurveySubject>> subjectsIn(const Source& source)
 {
-    std::vector<Subject> subjects;
+    std::vector<SurveySubject> subjects;
     std::size_t count = 1;
     for (std::size_t number = 1; number <= count; ++number) {
         const auto measurement = loadMeasurement(source.path, {number, {}});
@@ -78,12 +75,12 @@ Result<std::vector<Subject>> subjectsIn(const Source& source)
     return subjects;
 }
 
-Result<std::vector<Subject>> collect(const std::vector<std::string>& paths, std::vector<std::string>& skipped)
+Result<std::vector<SurveySubject>> collect(const std::vector<std::string>& paths, std::vector<std::string>& skipped)
 {
     const auto sources = sourcesIn(paths);
     if (!sources)
         return sources.error();
-    std::vector<Subject> subjects;
+    std::vector<SurveySubject> subjects;
     for (const Source& source : *sources) {
         if (isOtherHalf(source))
             continue;
@@ -130,33 +127,29 @@ std::vector<FittedModel> candidatesOfCatalogue()
             continue;
         addCandidates(model, candidates);
     }
+    return candidates;
+}
+
+void measureCosts(std::vector<FittedModel>& candidates)
+{
     for (FittedModel& candidate : candidates) {
         const std::vector<double> flat = flatValues(candidate.model->text, candidate.fixed);
         candidate.nsDouble = shadingCost(*candidate.model, flat, Precision::Double);
         candidate.nsSimd = shadingCost(*candidate.model, flat, Precision::Simd);
     }
-    return candidates;
 }
 
-Result<Survey> survey(const std::vector<std::string>& paths, const FitOptions& options, Progress* progress)
+Result<Survey> survey(const std::vector<std::string>& paths, const FitOptions& options, Progress* progress,
+                      const SurveyRun& run)
 {
     Survey result{options, candidatesOfCatalogue(), {}, {}};
+    if (!isHelper())
+        measureCosts(result.candidates);
     auto subjects = collect(paths, result.skipped);
     if (!subjects)
         return subjects.error();
-    for (Subject& subject : *subjects) {
-        for (const FittedModel& candidate : result.candidates) {
-            if (progress && progress->cancel)
-                return Error{"stopped"};
-            FitOptions own = options;
-            own.fixed = candidate.fixed;
-            const auto fit = fitModel(*candidate.model, subject.data, own);
-            subject.surface.fits.push_back(fit ? std::optional(*fit) : std::nullopt);
-        }
-        result.surfaces.push_back(std::move(subject.surface));
-        if (progress)
-            progress->done = static_cast<double>(result.surfaces.size()) / static_cast<double>(subjects->size());
-    }
+    if (const auto fitted = fitAll(result, *std::move(subjects), run, progress); !fitted)
+        return fitted.error();
     return result;
 }
 

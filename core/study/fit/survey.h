@@ -28,17 +28,25 @@ struct Survey {
     FitOptions options;
     std::vector<FittedModel> candidates;
     std::vector<SurveyedSurface> surfaces;
-    std::vector<std::string> skipped; ///< files that are no measured surfaces, in sentences
+    std::vector<std::string> skipped; ///< files that are no measured surfaces, and fits that failed, in sentences
 };
 
-/// Every model of the catalogue that can be fitted to a surface without colour, once per choice that it offers, with costs.
+/// How a survey is run.
+struct SurveyRun {
+    std::string journal =
+        {}; ///< a file that keeps every fit as it is done, and from which the next run goes on; empty: none
+    unsigned workers = 0; ///< processes in each rank, each with a fit at a time; 0: one per core
+};
+
+/// Every model of the catalogue that can be fitted to a surface without colour, once per choice that it offers, without costs.
 [[nodiscard]] std::vector<FittedModel> candidatesOfCatalogue();
 
 /// Fits every candidate to every surface of the files, and of the folders with all they contain, in the order of their names.
 /// Surfaces are taken without their colour: the mean of the channels. Refused: a path that is not there, a folder without a
-/// measured surface, a named file that is none.
+/// measured surface, a named file that is none, a journal of other fits. A fit whose process dies is missing and told among what
+/// was left out. In a rank that is not the first this works for the first.
 [[nodiscard]] Result<Survey> survey(const std::vector<std::string>& paths, const FitOptions& options,
-                                    Progress* progress = nullptr);
+                                    Progress* progress = nullptr, const SurveyRun& run = {});
 
 /// Index of the candidate with the smallest cost in SIMD lanes whose relative RMS error is within `tolerance`.
 [[nodiscard]] std::optional<std::size_t> cheapestWithin(const Survey& survey, const SurveyedSurface& surface,

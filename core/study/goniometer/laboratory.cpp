@@ -3,6 +3,7 @@
 #include "core/math/angle.h"
 #include "core/math/matrix3.h"
 #include "core/render/cpu/in_parallel.h"
+#include "core/study/goniometer/lab_pass.h"
 #include "core/study/tables/sample_model.h"
 
 #include <algorithm>
@@ -14,8 +15,7 @@
 namespace reflectance {
 namespace {
 
-constexpr std::uint64_t fewestBatches = 4;  ///< fewer tell no error
-constexpr std::uint64_t batchesPerPass = 1; ///< few: whoever watches or stops a run does not wait long
+constexpr std::uint64_t fewestBatches = 4; ///< fewer tell no error
 
 using Clock = std::chrono::steady_clock;
 
@@ -118,18 +118,13 @@ double shareDone(const LabRun& run)
     return wanted > 0.0 ? done / wanted : 1.0;
 }
 
-/// One more batch for a cell; returns the rays that were lost.
-std::size_t measureBatch(const LabRun& run, const MicroTracer& tracer, std::size_t index, LabCell& cell)
+std::vector<std::size_t> waitingCells(const LabRun& run, const LabFailures& failures)
 {
-    const DirectionPair directions = directionsOf(run.setup, index);
-    const MicroTracer::Batch batch =
-        tracer.trace(directions, run.setup.azimuth, CounterRandom(run.setup.seed, index, cell.batches));
-    const auto numbers = rowByRow(batch.factor);
-    Channels f{};
-    for (std::size_t c = 0; c < run.setup.channels; ++c)
-        f[c] = numbers[entryOf(c, run.setup.channels)] / (std::numbers::pi * directions.L.z);
-    cell.take(f, run.setup.channels);
-    return batch.lost;
+    std::vector<std::size_t> waiting;
+    for (std::size_t i = 0; i < run.cells.size(); ++i)
+        if (run.cells[i].batches < run.cells[i].wanted && !failures.contains(i))
+            waiting.push_back(i);
+    return waiting;
 }
 
 Table gridOfRun(const LabRun& run)
@@ -201,33 +196,61 @@ LabRun startedRun(LabSetup setup, std::uint64_t fingerprint)
     return run;
 }
 
-void measure(LabRun& run, const MicroTracer& tracer, const LabTargets& targets, Progress* progress,
-             const LabWatch& watch)
+LabBatch tracedBatch(const LabSetup& setup, const MicroTracer& tracer, std::size_t cell, std::uint64_t batch)
+{
+    const DirectionPair directions = directionsOf(setup, cell);
+    const MicroTracer::Batch traced = tracer.trace(directions, setup.azimuth, CounterRandom(setup.seed, cell, batch));
+    const auto numbers = rowByRow(traced.factor);
+    LabBatch result;
+    for (std::size_t c = 0; c < setup.channels; ++c)
+        result.f[c] = numbers[entryOf(c, setup.channels)] / (std::numbers::pi * directions.L.z);
+    result.lost = traced.lost;
+    return result;
+}
+
+void measureInPasses(LabRun& run, const LabPass& pass, const LabFailures& failures, const LabTargets& targets,
+                     Progress* progress, const LabWatch& watch)
 {
     const auto begin = Clock::now();
     const auto isStopped = [&] {
         return (progress && progress->cancel) ||
                (targets.seconds && std::chrono::duration<double>(Clock::now() - begin).count() >= *targets.seconds);
     };
-    std::atomic<std::uint64_t> lost{0};
     for (;;) {
-        std::vector<std::size_t> waiting;
-        for (std::size_t i = 0; i < run.cells.size(); ++i)
-            if (run.cells[i].batches < run.cells[i].wanted)
-                waiting.push_back(i);
-        if (isStopped() || (waiting.empty() && !plan(run, targets)))
+        std::vector<std::size_t> waiting = waitingCells(run, failures);
+        if (waiting.empty() && !isStopped() && plan(run, targets))
+            waiting = waitingCells(run, failures);
+        if (waiting.empty() || isStopped())
             break;
-        inParallel(std::size_t{0}, waiting.size(), [&](std::size_t k) {
-            LabCell& cell = run.cells[waiting[k]];
-            for (std::uint64_t i = 0; i < batchesPerPass && cell.batches < cell.wanted && !isStopped(); ++i)
-                lost += measureBatch(run, tracer, waiting[k], cell);
-        });
-        run.lost += lost.exchange(0);
+        // One batch each: whoever watches or stops a run does not wait long.
+        const bool goesOn = pass(run, waiting, isStopped);
         if (progress)
             progress->done = shareDone(run);
         if (watch)
             watch(run);
+        if (!goesOn)
+            break;
     }
+}
+
+void measure(LabRun& run, const MicroTracer& tracer, const LabTargets& targets, Progress* progress,
+             const LabWatch& watch)
+{
+    const auto onThreads = [&tracer](LabRun& of, const std::vector<std::size_t>& cells,
+                                     const std::function<bool()>& isStopped) {
+        std::atomic<std::uint64_t> lost{0};
+        inParallel(std::size_t{0}, cells.size(), [&](std::size_t k) {
+            if (isStopped())
+                return;
+            LabCell& cell = of.cells[cells[k]];
+            const LabBatch batch = tracedBatch(of.setup, tracer, cells[k], cell.batches);
+            cell.take(batch.f, of.setup.channels);
+            lost += batch.lost;
+        });
+        of.lost += lost;
+        return !isStopped();
+    };
+    measureInPasses(run, onThreads, {}, targets, progress, watch);
 }
 
 Table tableOf(const LabRun& run)

@@ -6,12 +6,10 @@
 #include "core/render/cpu/cpu_renderer.h"
 #include "core/render/cpu/shading_places.h"
 #include "core/render/gl/gl_renderer.h"
-#include "core/scene/scene_file.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 
 namespace reflectance {
 namespace {
@@ -37,10 +35,9 @@ Precision precisionOf(CellRenderer renderer)
                                             : Precision::Double;
 }
 
-Pair byCpu(const Scene& scene, const Cell& cell, Progress* progress)
+Pair byCpu(const Scene& scene, const RayScene& rays, const Cell& cell, Progress* progress)
 {
-    const auto samples = std::make_shared<const ViewSamples>(
-        sampleView(*makeRayScene(scene.mesh), scene.camera, cell.settings, progress));
+    const auto samples = std::make_shared<const ViewSamples>(sampleView(rays, scene.camera, cell.settings, progress));
     const PlacedView view =
         placedView(samples, *scene.mesh, cell.renderer == CellRenderer::Vertex ? Place::Vertex : Place::Sample);
     Pair pair;
@@ -52,9 +49,6 @@ Pair byCpu(const Scene& scene, const Cell& cell, Progress* progress)
 
 Result<Pair> byGl(const Scene& scene, const Cell& cell)
 {
-    // Contexts are current in one thread each, but drivers share what lies below; llvmpipe has threads of its own.
-    static std::mutex oneAtATime;
-    const std::scoped_lock lock(oneAtATime);
     const auto context = openHeadless(ContextKind::Any);
     if (!context)
         return context.error();
@@ -123,9 +117,9 @@ Result<Figures> figuresOf(const Pair& pair)
 
 } // namespace
 
-Result<ComputedCell> computeCell(const Cell& cell, const std::string& folder, Progress* progress)
+Result<ComputedCell> computeCell(const Cell& cell, const std::string& folder, KeptMeshes& meshes, Progress* progress)
 {
-    auto scene = parseScene(cell.scene, "", folder);
+    auto scene = meshes.scene(cell.scene, folder);
     if (!scene)
         return scene.error();
     if (const auto complete = checkSurface(scene->surface); !complete)
@@ -133,7 +127,8 @@ Result<ComputedCell> computeCell(const Cell& cell, const std::string& folder, Pr
     if (cell.orbit)
         scene->camera = orbitView(scene->camera, (*cell.orbit)[0], (*cell.orbit)[1],
                                   static_cast<double>(cell.settings.width) / cell.settings.height);
-    auto pair = cell.renderer == CellRenderer::Glsl ? byGl(*scene, cell) : Result(byCpu(*scene, cell, progress));
+    auto pair = cell.renderer == CellRenderer::Glsl ? byGl(*scene, cell)
+                                                    : Result(byCpu(*scene, *meshes.rays(*scene), cell, progress));
     if (!pair)
         return pair.error();
     if (progress && progress->cancel)

@@ -1,11 +1,11 @@
 // One cell computed: its picture, and how far that is from the double truth.
 #pragma once
 
+#include "core/image/image.h"
 #include "core/render/progress.h"
 #include "core/scene/scene.h"
+#include "core/study/sweep/kept_meshes.h"
 #include "core/study/sweep/study.h"
-
-#include "core/image/image.h"
 
 #include <cstddef>
 
@@ -30,8 +30,8 @@ struct ComputedCell {
     Sensor sensor;
 };
 
-/// The error says why the cell cannot be rendered, or that it was stopped. May be called from several threads.
-[[nodiscard]] Result<ComputedCell> computeCell(const Cell& cell, const std::string& folder,
+/// The error says why the cell cannot be rendered, or that it was stopped.
+[[nodiscard]] Result<ComputedCell> computeCell(const Cell& cell, const std::string& folder, KeptMeshes& meshes,
                                                Progress* progress = nullptr);
 
 } // namespace reflectance

@@ -1,9 +1,11 @@
 // The figures of a sweep as CSV, one line a cell, in the order of the cells: what is there is done.
 #pragma once
 
+#include "core/study/crew/journal.h"
 #include "core/study/sweep/figures.h"
 
 #include <string>
+#include <utility>
 
 namespace reflectance {
 
@@ -22,29 +24,23 @@ struct CellResult {
 /// The rest of the line, its end included. Everything but the milliseconds is the same on every run.
 [[nodiscard]] std::string resultText(const CellResult& result, bool timing);
 
-/// Appends lines to a file that an earlier run may have begun.
+/// The journal of a sweep.
 class Sheet {
 public:
-    /// Opens or begins the file, drops a torn last line, and refuses a file whose lines are not this study's.
+    /// Opens or begins the file; refuses one whose lines are not this study's.
     [[nodiscard]] static Result<Sheet> open(const std::string& path, const Study& study, bool timing);
-    Sheet(Sheet&& other) noexcept;
-    Sheet& operator=(Sheet&& other) noexcept;
-    ~Sheet();
 
-    [[nodiscard]] std::uint64_t cellsDone() const { return cells_; }
+    [[nodiscard]] std::uint64_t cellsDone() const { return journal_.lines(); }
     [[nodiscard]] std::uint64_t cellsFailed() const { return failed_; } ///< of those done
 
-    /// One write of the whole line.
-    [[nodiscard]] Result<void> append(const Cell& cell, const CellResult& result);
+    /// `rest` is a resultText().
+    [[nodiscard]] Result<void> append(const Cell& cell, const std::string& rest);
 
 private:
-    Sheet(std::string path, bool timing) : path_(std::move(path)), timing_(timing) {}
-    [[nodiscard]] Result<void> write(const std::string& line) const;
+    Sheet(Journal journal, std::uint64_t failed) : journal_(std::move(journal)), failed_(failed) {}
 
-    std::string path_;
-    bool timing_ = false;
-    int file_ = -1;
-    std::uint64_t cells_ = 0, failed_ = 0;
+    Journal journal_;
+    std::uint64_t failed_ = 0;
 };
 
 } // namespace reflectance

@@ -1,4 +1,4 @@
-#include "core/render/headless/shared_library.h"
+#include "core/base/shared_library.h"
 
 #include <dlfcn.h>
 
