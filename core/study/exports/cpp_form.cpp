@@ -133,8 +133,8 @@ std::string selfTestText(const ModelText& model)
 std::string cppForm(const ExportSubject& subject)
 {
     const ModelText& model = subject.model->text;
-    const std::string space = "reflectance_" + model.id;
-    const std::string guard = "REFLECTANCE_EXPORTED_" + upper(model.id) + "_H";
+    const std::string space = "reflectance_" + codeName(model.id);
+    const std::string guard = "REFLECTANCE_EXPORTED_" + upper(codeName(model.id)) + "_H";
     std::string text =
         headComment(model, subject.values) + "//\n// In double or float:  " + space + "::Model<double> model;  " +
         "model.shade(N, L, V, I);  " + space + "::selfTest() is 0 where all is well.\n" +

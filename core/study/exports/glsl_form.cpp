@@ -106,7 +106,7 @@ std::string glslForm(const ExportSubject& subject)
     code += "\n" + std::string(trimmed(model.code)) + "\n\n" +
             selfTest(testVectors(*subject.model, subject.values, subject.measured));
     const auto defined = definedIn(code);
-    const std::string prefix = model.id + "_";
+    const std::string prefix = codeName(model.id) + "_";
     return headComment(model, subject.values) +
            "//\n// Paste it below your #version line (GLSL 3.30, or 3.00 es with precision highp float). All names "
            "begin with " +

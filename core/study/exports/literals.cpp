@@ -46,6 +46,18 @@ std::string triple(const Vec3d& v, std::string (*one)(double))
     return one(v.x) + ", " + one(v.y) + ", " + one(v.z);
 }
 
+std::string codeName(std::string_view id)
+{
+    std::string name;
+    for (const char letter : id)
+        if (letter != '_' || (!name.empty() && name.back() != '_'))
+            name += letter;
+    while (!name.empty() && name.back() == '_')
+        name.pop_back();
+    const bool starts = !name.empty() && !(name[0] >= '0' && name[0] <= '9') && !name.starts_with("gl_");
+    return starts ? name : "model_" + name;
+}
+
 std::string headComment(const ModelText& model, const std::vector<double>& values)
 {
     std::string text = remark(model.name + ", exported by the Reflectance Explorer " + std::string(programVersion()) +

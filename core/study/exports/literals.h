@@ -20,6 +20,9 @@ namespace reflectance::exports {
 /// "a, b, c" of components, each by `one`.
 [[nodiscard]] std::string triple(const Vec3d& v, std::string (*one)(double));
 
+/// The id as the beginning of names: no two "_" together, none at the end, a letter first, which GLSL asks for.
+[[nodiscard]] std::string codeName(std::string_view id);
+
 /// What is said above every exported code: name, formula, citation, what the factor means, the parameters with their values.
 [[nodiscard]] std::string headComment(const ModelText& model, const std::vector<double>& values);
 

@@ -98,6 +98,17 @@ TEST(ExportedCode, RefusesWhatIsNoFormula)
     EXPECT_FALSE(exported(endless, ExportForm::Cpp));
 }
 
+TEST(ExportedCode, HasNamesThatGlslTakes)
+{
+    for (const auto& [file, prefix] :
+         {std::pair{"2_wide.glsl", "model_2_wide_"}, {"a__b_.glsl", "a_b_"}, {"gl_x.glsl", "model_gl_x_"}}) {
+        const auto own = ownModel(file, "vec3 shade(vec3 N, vec3 L, vec3 V, vec3 I) { return I; }");
+        ASSERT_TRUE(own);
+        const auto text = exported({own->get(), {}}, ExportForm::Glsl);
+        EXPECT_NE(text.value().find(std::string("vec3 ") + prefix + "shade("), std::string::npos) << file;
+    }
+}
+
 TEST(ExportForms, AreKnownByTheirFiles)
 {
     EXPECT_EQ(formForFile("a/Phong.GLSL"), ExportForm::Glsl);
