@@ -3,10 +3,11 @@
 //   make_models SHADER_FOLDER MODEL_LIST OUT_HEADER
 //
 // Each text becomes a class template whose data members are the uniforms and whose member functions are the text's
-// functions (see translate.h). One that calls lobe takes its form as a second template argument.
+// functions (see core/reflectance/cpp_text.h). One that calls lobe takes its form as a second template argument.
 #include "core/base/text.h"
+#include "core/reflectance/cpp_text.h"
 #include "core/reflectance/model_text.h"
-#include "tools/translate.h"
+#include "tools/contents.h"
 
 #include <algorithm>
 #include <fstream>
@@ -16,7 +17,6 @@ namespace {
 
 using namespace reflectance;
 using tools::contents;
-using tools::instantiated;
 
 /// ks, which has a form of its own where it is one number: see special_form.h.
 bool isHeight(const Parameter& p)

@@ -3,7 +3,8 @@
 //   make_texts SHADER_FOLDER OUT_HEADER NAME=TEXT.glsl[+TEXT.glsl...]...
 //
 // The texts after a name become `template <class T> struct NAME`, their uniforms data members with their defaults.
-#include "tools/translate.h"
+#include "core/reflectance/cpp_text.h"
+#include "tools/contents.h"
 
 #include <algorithm>
 #include <fstream>
@@ -30,7 +31,7 @@ int run(const std::string& folder, const std::string& header, char** pairs, int 
                 std::cerr << "make_texts: " << path << " is no text under " << folder << '\n';
                 return 1;
             }
-            out << "#line 1 \"shaders/" << path << "\"\n" << reflectance::tools::instantiated(code);
+            out << "#line 1 \"shaders/" << path << "\"\n" << reflectance::instantiated(code);
         }
         out << "};\n";
         if (!any) {

@@ -97,6 +97,7 @@ int run(int argc, char** argv)
     addBench(program, exitCode);
     addTrade(program, typed(argc, argv), exitCode);
     addGoniometer(program, exitCode);
+    addExport(program, exitCode);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -136,6 +136,47 @@ Result<Scene> openInput(const std::string& input, bool smooth)
     return scene;
 }
 
+Result<void> setSensor(const SceneOptions& options, Sensor& sensor)
+{
+    for (const std::string& assignment : options.sensor)
+        if (const auto set = setOnSensor(assignment, sensor); !set)
+            return Error{"--sensor " + assignment + ": " + set.error().message};
+    sensor.view.marks = sensor.view.marks || options.markClipped;
+    for (const auto& kind : sensorViewKinds)
+        if (kind.name == options.view)
+            sensor.view.kind = kind.value;
+    return {};
+}
+
+Result<void> setLights(const SceneOptions& options, std::vector<Light>& lights)
+{
+    if (!options.lights.empty())
+        lights.clear();
+    for (const std::string& text : options.lights) {
+        auto light = parseLight(text);
+        if (!light)
+            return light.error();
+        light->name = "light " + std::to_string(lights.size() + 1);
+        lights.push_back(*std::move(light));
+    }
+    return {};
+}
+
+} // namespace
+
+void addSurfaceOptions(CLI::App& verb, SceneOptions& options)
+{
+    verb.add_option("--surface", options.surface,
+                    "a surface of the library, by id or name: its model and parameters; 'reflectance surfaces' lists "
+                    "them; --model and --set come after it");
+    verb.add_option("--model", options.model, "reflectance model; 'reflectance models' lists them");
+    verb.add_option("--model-file", options.modelFile,
+                    "a model of your own: a text under the rules of shaders/README.md");
+    verb.add_option("--set", options.assignments,
+                    "NAME=VALUE of a model parameter; matrices row by row, numbers parted by commas; file=PATH of a "
+                    "measured table");
+}
+
 Result<void> setSurface(const SceneOptions& options, Surface& surface)
 {
     if (!options.surface.empty()) {
@@ -165,34 +206,6 @@ Result<void> setSurface(const SceneOptions& options, Surface& surface)
     return {};
 }
 
-Result<void> setSensor(const SceneOptions& options, Sensor& sensor)
-{
-    for (const std::string& assignment : options.sensor)
-        if (const auto set = setOnSensor(assignment, sensor); !set)
-            return Error{"--sensor " + assignment + ": " + set.error().message};
-    sensor.view.marks = sensor.view.marks || options.markClipped;
-    for (const auto& kind : sensorViewKinds)
-        if (kind.name == options.view)
-            sensor.view.kind = kind.value;
-    return {};
-}
-
-Result<void> setLights(const SceneOptions& options, std::vector<Light>& lights)
-{
-    if (!options.lights.empty())
-        lights.clear();
-    for (const std::string& text : options.lights) {
-        auto light = parseLight(text);
-        if (!light)
-            return light.error();
-        light->name = "light " + std::to_string(lights.size() + 1);
-        lights.push_back(*std::move(light));
-    }
-    return {};
-}
-
-} // namespace
-
 void addSceneOptions(CLI::App& verb, SceneOptions& options)
 {
     verb.add_option(
@@ -202,15 +215,7 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options)
     verb.add_flag("--smooth", options.smooth, "compute the normals anew: faceted files look round");
     verb.add_option("--size", options.size, "WxH in pixels");
     verb.add_option("--samples", options.samples, "samples per pixel: 1, 4, 9, 16, 25, 36, 49 or 64 (default 4)");
-    verb.add_option("--surface", options.surface,
-                    "a surface of the library, by id or name: its model and parameters; 'reflectance surfaces' lists "
-                    "them; --model and --set come after it");
-    verb.add_option("--model", options.model, "reflectance model; 'reflectance models' lists them");
-    verb.add_option("--model-file", options.modelFile,
-                    "a model of your own: a text under the rules of shaders/README.md");
-    verb.add_option("--set", options.assignments,
-                    "NAME=VALUE of a model parameter; matrices row by row, numbers parted by commas; file=PATH of a "
-                    "measured table");
+    addSurfaceOptions(verb, options);
     verb.add_flag("--holes", options.showHoles, "stripes where a measured table has no value, instead of black");
     verb.add_option("--light", options.lights, lightHelp);
     verb.add_option("--camera", options.camera, cameraHelp);

@@ -35,6 +35,12 @@ struct SceneOptions {
 
 void addSceneOptions(CLI::App& verb, SceneOptions& options);
 
+/// --surface, --model, --model-file and --set: those of them that describe the surface.
+void addSurfaceOptions(CLI::App& verb, SceneOptions& options);
+
+/// Puts what they say on the surface; an error leaves it half done.
+[[nodiscard]] Result<void> setSurface(const SceneOptions& options, Surface& surface);
+
 /// The scene that the flags describe.
 [[nodiscard]] Result<Scene> sceneFrom(const SceneOptions& options);
 

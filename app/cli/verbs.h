@@ -31,5 +31,6 @@ void addSweep(CLI::App& program, int& exitCode);
 /// `command`: as it was typed, for the report.
 void addTrade(CLI::App& program, const std::string& command, int& exitCode);
 void addGoniometer(CLI::App& program, int& exitCode);
+void addExport(CLI::App& program, int& exitCode);
 
 } // namespace reflectance::cli

@@ -72,6 +72,18 @@ void SvgWriter::path(const std::string& commands, const Stroke& stroke)
         out_ += "<path d=\"" + commands + "\" fill=\"none\" stroke-linejoin=\"round\"" + strokeText(stroke) + "/>\n";
 }
 
+void SvgWriter::area(const std::string& commands, ChartColor fill, const Stroke& rim)
+{
+    out_ +=
+        "<path d=\"" + commands + "Z\" fill=\"" + hex(fill) + "\" stroke-linejoin=\"round\"" + strokeText(rim) + "/>\n";
+}
+
+void SvgWriter::image(double x, double y, double width, double height, std::string_view dataUri)
+{
+    out_ += "<image x=\"" + pixel(x) + "\" y=\"" + pixel(y) + "\" width=\"" + pixel(width) + "\" height=\"" +
+            pixel(height) + "\" style=\"image-rendering:pixelated\" href=\"" + std::string(dataUri) + "\"/>\n";
+}
+
 void SvgWriter::circle(double x, double y, double radius, const Stroke& stroke)
 {
     out_ += "<circle cx=\"" + pixel(x) + "\" cy=\"" + pixel(y) + "\" r=\"" + pixel(radius) + "\" fill=\"none\"" +

@@ -22,6 +22,8 @@ public:
 
     void line(double x1, double y1, double x2, double y2, const Stroke& stroke);
     void path(const std::string& commands, const Stroke& stroke);
+    void area(const std::string& commands, ChartColor fill, const Stroke& rim);            ///< closed and filled
+    void image(double x, double y, double width, double height, std::string_view dataUri); ///< each pixel a square
     void circle(double x, double y, double radius, const Stroke& stroke);
     void dot(double x, double y, double radius, ChartColor color, double opacity);
     void rectangle(double x, double y, double width, double height, ChartColor color);

@@ -11,25 +11,34 @@ namespace {
 
 using std::numbers::pi;
 
-/// In the plane of incidence, positive angles away from the light.
+std::string degreesText(double radians)
+{
+    return std::to_string(std::lround(radians * 180.0 / pi)) + "\u00B0";
+}
+
+} // namespace
+
 Vec3d directionInPlane(double theta)
 {
     return {std::sin(theta), 0.0, std::cos(theta)};
 }
 
-double numberOf(const Vec3d& value, Shown shown)
+double numberOf(const Vec3d& factor, double cosine, const CurveSettings& settings)
 {
-    switch (shown) {
+    const double unit = settings.quantity == Quantity::Factor       ? 1.0
+                        : settings.quantity == Quantity::BrdfCosine ? 1.0 / pi
+                                                                    : 1.0 / (pi * cosine);
+    switch (settings.shown) {
     case Shown::Red:
-        return value.x;
+        return unit * factor.x;
     case Shown::Green:
-        return value.y;
+        return unit * factor.y;
     case Shown::Blue:
-        return value.z;
+        return unit * factor.z;
     case Shown::Mean:
         break;
     }
-    return (value.x + value.y + value.z) / 3.0;
+    return unit * ((factor.x + factor.y + factor.z) / 3.0);
 }
 
 std::string valueLabel(const CurveSettings& settings)
@@ -37,13 +46,6 @@ std::string valueLabel(const CurveSettings& settings)
     constexpr std::string_view channels[] = {"", ", red", ", green", ", blue"};
     return std::string(labelOf(settings.quantity)) + std::string(channels[static_cast<int>(settings.shown)]);
 }
-
-std::string degreesText(double radians)
-{
-    return std::to_string(std::lround(radians * 180.0 / pi)) + "\u00B0";
-}
-
-} // namespace
 
 std::string_view labelOf(Quantity quantity)
 {
@@ -65,22 +67,26 @@ std::vector<double> viewingAngles(double thetaI)
     return angles;
 }
 
-std::vector<double> inPlane(const NamedSurface& surface, const CurveSettings& settings,
-                            const std::vector<double>& thetaR)
+std::vector<double> towards(const NamedSurface& surface, const CurveSettings& settings, std::span<const Vec3d> viewers)
 {
     const Vec3d L = directionInPlane(-settings.thetaI);
     std::vector<Observation> rows;
-    rows.reserve(thetaR.size());
-    for (const double theta : thetaR)
-        rows.push_back({{0, 0, 1}, directionInPlane(theta), {{L, {1, 1, 1}, 0.0}}});
-    const double unit = settings.quantity == Quantity::Factor       ? 1.0
-                        : settings.quantity == Quantity::BrdfCosine ? 1.0 / pi
-                                                                    : 1.0 / (pi * L.z);
+    rows.reserve(viewers.size());
+    for (const Vec3d& V : viewers)
+        rows.push_back({{0, 0, 1}, V, {{L, {1, 1, 1}, 0.0}}});
     std::vector<double> numbers;
     numbers.reserve(rows.size());
     for (const Vec3d& value : evaluate(*surface.model, surface.values, rows, Precision::Double, surface.measured))
-        numbers.push_back(unit * numberOf(value, settings.shown));
+        numbers.push_back(numberOf(value, L.z, settings));
     return numbers;
+}
+
+std::vector<double> inPlane(const NamedSurface& surface, const CurveSettings& settings,
+                            const std::vector<double>& thetaR)
+{
+    std::vector<Vec3d> viewers(thetaR.size());
+    std::transform(thetaR.begin(), thetaR.end(), viewers.begin(), directionInPlane);
+    return towards(surface, settings, viewers);
 }
 
 Chart overTheta(const std::vector<NamedSurface>& surfaces, const CurveSettings& settings)

@@ -4,6 +4,7 @@
 #include "core/chart/chart.h"
 #include "core/reflectance/catalogue.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,7 @@ struct NamedSurface {
     std::string name;
     ChartColor color = 0;
     const Model* model = nullptr;
-    std::vector<double> values; ///< the model's flat list
+    std::vector<double> values;     ///< the model's flat list
     MeasuredSurfaces measured = {}; ///< of a model that looks a table up; who names it keeps it alive
 };
 
@@ -36,12 +37,25 @@ struct CurveSettings {
     AxisScale scale = AxisScale::Linear; ///< of overTheta's value axis
 };
 
+/// One number of a factor: the channel shown, in the unit of the quantity; `cosine` is N.L.
+[[nodiscard]] double numberOf(const Vec3d& factor, double cosine, const CurveSettings& settings);
+
+/// "BRDF f (1/sr), red": what such a number is, for axes.
+[[nodiscard]] std::string valueLabel(const CurveSettings& settings);
+
+/// The direction at this angle in the plane of incidence, N = (0,0,1); positive away from the light.
+[[nodiscard]] Vec3d directionInPlane(double theta);
+
 /// Viewing angles from -pi/2 to pi/2, half a degree apart, closer about the mirrored direction: a highlight of n = 1e7 is
 /// met by dozens. Positive is away from the light.
 [[nodiscard]] std::vector<double> viewingAngles(double thetaI);
 
-/// The surface at viewing angles in the plane of incidence, in double; white light of strength 1. A light at exactly 90
-/// degrees has no f. Lights have no extent, so a mirror is 0 everywhere.
+/// The surface towards viewers above N = (0,0,1), in double; white light of strength 1 in the plane of x and z, at
+/// -thetaI. A light at exactly 90 degrees has no f. Lights have no extent, so a mirror is 0 everywhere.
+[[nodiscard]] std::vector<double> towards(const NamedSurface& surface, const CurveSettings& settings,
+                                          std::span<const Vec3d> viewers);
+
+/// The same at viewing angles in the plane of incidence.
 [[nodiscard]] std::vector<double> inPlane(const NamedSurface& surface, const CurveSettings& settings,
                                           const std::vector<double>& thetaR);
 

@@ -17,7 +17,8 @@ constexpr double wanted = 1e-7; ///< of two orders' difference, so that a share 
 /// Sums weight(direction) * value over the grid; put(block, i, direction) sets L and V of a row.
 template <class Put, class Weight>
 Vec3d weightedSum(const Model& model, std::span<const double> values, double lightDisc,
-                  const std::vector<WeightedDirection>& grid, const Put& put, const Weight& weight)
+                  const MeasuredSurface<double>& measured, const std::vector<WeightedDirection>& grid, const Put& put,
+                  const Weight& weight)
 {
     ShadeBlock<double> block;
     block.N.fill(up);
@@ -29,7 +30,9 @@ Vec3d weightedSum(const Model& model, std::span<const double> values, double lig
         block.sum.fill({});
         for (std::size_t i = 0; i < count; ++i)
             put(block, i, grid[begin + i].direction);
-        model.exact.shade(values.data(), block.batch(count));
+        ShadeBatch<double> batch = block.batch(count);
+        batch.measured = measured;
+        model.exact.shade(values.data(), batch);
         for (std::size_t i = 0; i < count; ++i)
             total += weight(grid[begin + i]) * block.sum[i];
     }
@@ -108,7 +111,7 @@ Vec3d HemisphereSums::albedoSum(const Model& model, std::span<const double> valu
     const auto weight = [](const WeightedDirection& V) { return V.weight * V.direction.z; };
     const double radius = std::sin(radians(discRadius_));
     const double arriving = std::numbers::pi * fixed_.z * (model.text.usesLightSize ? radius * radius : 1.0);
-    return weightedSum(model, values, squaredChord(discRadius_), grid, put, weight) / arriving;
+    return weightedSum(model, values, squaredChord(discRadius_), measured_, grid, put, weight) / arriving;
 }
 
 Vec3d HemisphereSums::furnaceSum(const Model& model, std::span<const double> values,
@@ -119,7 +122,7 @@ Vec3d HemisphereSums::furnaceSum(const Model& model, std::span<const double> val
         block.V.set(i, fixed_);
     };
     const auto weight = [](const WeightedDirection& L) { return L.weight; };
-    Vec3d seen = weightedSum(model, values, 0.0, grid, put, weight) / std::numbers::pi;
+    Vec3d seen = weightedSum(model, values, 0.0, measured_, grid, put, weight) / std::numbers::pi;
     if (model.exact.environment) {
         ShadeBlock<double> block;
         block.N.set(0, up);

@@ -33,6 +33,9 @@ public:
     /// surroundings that the model looks at by itself. Equals the albedo if the model is reciprocal.
     [[nodiscard]] Share furnace(const Model& model, std::span<const double> values);
 
+    /// What a model that looks a table up finds from now on; black before.
+    void lookUpIn(const MeasuredSurface<double>& measured) { measured_ = measured; }
+
     [[nodiscard]] double angle() const { return angle_; }
 
 private:
@@ -46,6 +49,7 @@ private:
     [[nodiscard]] Vec3d furnaceSum(const Model& model, std::span<const double> values,
                                    const std::vector<WeightedDirection>& grid) const;
 
+    MeasuredSurface<double> measured_;
     double angle_;
     double discRadius_; ///< degrees
     Vec3d fixed_;       ///< the light for the albedo, the viewer for the furnace

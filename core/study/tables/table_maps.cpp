@@ -43,7 +43,7 @@ double largestIn(const std::vector<double>& values)
 
 } // namespace
 
-HeatMap valueMap(const Measurement& measurement, const TableMapSettings& settings)
+HeatMap angleMap(const AngleFunction& function, const TableMapSettings& settings, std::string label)
 {
     HeatMap map = emptyMap(settings);
     const double step = std::numbers::pi / 2 / static_cast<double>(settings.steps);
@@ -51,20 +51,29 @@ HeatMap valueMap(const Measurement& measurement, const TableMapSettings& setting
         for (std::size_t column = 0; column < map.columns; ++column) {
             const Vec3d L = directionAt((static_cast<double>(row) + 0.5) * step, 0.0);
             const Vec3d V = directionAt((static_cast<double>(column) + 0.5) * step, radians(settings.deltaPhi));
-            if (const auto f = brdfAt(measurement, L, V))
-                map.values[row * map.columns + column] = entryOf(*f, settings);
+            map.values[row * map.columns + column] = function(L, V).value_or(nothing);
         }
     const double largest = largestIn(map.values);
     if (!settings.logarithmic || largest == 0.0) {
-        map.scale = {"f (1/sr)", 0.0, largest > 0.0 ? largest : 1.0, AxisScale::Linear};
+        map.scale = {std::move(label), 0.0, largest > 0.0 ? largest : 1.0, AxisScale::Linear};
         return map;
     }
     double smallest = largest;
     for (const double value : map.values)
         if (value > 1e-6 * largest)
             smallest = std::min(smallest, value);
-    map.scale = {"f (1/sr)", std::min(smallest, 0.5 * largest), largest, AxisScale::Log};
+    map.scale = {std::move(label), std::min(smallest, 0.5 * largest), largest, AxisScale::Log};
     return map;
+}
+
+HeatMap valueMap(const Measurement& measurement, const TableMapSettings& settings)
+{
+    return angleMap(
+        [&](const Vec3d& L, const Vec3d& V) -> std::optional<double> {
+            const auto f = brdfAt(measurement, L, V);
+            return f ? std::optional(entryOf(*f, settings)) : std::nullopt;
+        },
+        settings, "f (1/sr)");
 }
 
 PolarChart polarSlice(const Measurement& measurement, double thetaI, const TableMapSettings& settings)

@@ -4,6 +4,10 @@
 #include "core/chart/heat_map.h"
 #include "core/measured/measurement.h"
 
+#include <functional>
+#include <optional>
+#include <string>
+
 namespace reflectance {
 
 struct TableMapSettings {
@@ -13,8 +17,14 @@ struct TableMapSettings {
     std::size_t steps = 90; ///< cells from 0 to 90 degrees
 };
 
-/// f in 1/sr; each cell is looked up at its middle, as the measurement's own format means it. A logarithmic scale spans at
-/// most six powers of ten below the largest number.
+/// A number for unit L and V about N = (0,0,1); nothing where there is none.
+using AngleFunction = std::function<std::optional<double>(const Vec3d& L, const Vec3d& V)>;
+
+/// Each cell is asked for at its middle. A logarithmic scale spans at most six powers of ten below the largest number.
+/// `label` names the numbers. The matrix entry of the settings is the function's own affair.
+[[nodiscard]] HeatMap angleMap(const AngleFunction& function, const TableMapSettings& settings, std::string label);
+
+/// f in 1/sr; each cell is looked up at its middle, as the measurement's own format means it.
 [[nodiscard]] HeatMap valueMap(const Measurement& measurement, const TableMapSettings& settings);
 
 /// f over theta_r for one theta_i (degrees), on both sides of the normal: positive angles at the settings' azimuth, negative

@@ -1,11 +1,9 @@
-#include "tools/translate.h"
+#include "core/reflectance/cpp_text.h"
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <sstream>
 
-namespace reflectance::tools {
+namespace reflectance {
 namespace {
 
 bool isWordLetter(char c)
@@ -57,12 +55,15 @@ std::string typeNamed(std::string_view word)
 
 } // namespace
 
-std::string instantiated(std::string_view code)
+std::string instantiated(std::string_view code, bool keepComments)
 {
     std::string out;
     for (std::size_t i = 0; i < code.size();) {
         if (code.substr(i, 2) == "//") {
-            i = std::min(code.find('\n', i), code.size());
+            const std::size_t end = std::min(code.find('\n', i), code.size());
+            if (keepComments)
+                out += code.substr(i, end - i);
+            i = end;
         } else if (const std::size_t length = numberLength(code, i)) {
             const std::string_view literal = code.substr(i, length);
             if (isWhole(literal))
@@ -83,12 +84,4 @@ std::string instantiated(std::string_view code)
     return out;
 }
 
-std::string contents(const std::string& path)
-{
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-} // namespace reflectance::tools
+} // namespace reflectance
