@@ -280,6 +280,19 @@ int run(const Options& asked)
                                 : runLens(options, *scene, *settings);
 }
 
+/// Which of two surfaces is shown, and how.
+void addVariantOptions(CLI::App& verb, Options& options)
+{
+    verb.add_option("--variant", options.variant,
+                    "of a scene with two surfaces: A (the default), B, both side by side or in a wipe, or the signed "
+                    "difference of luminance, B less A (PNG); or the name of a variant that the scene keeps");
+    verb.add_option("--a", options.variantA, "NAME of a kept variant, in A's place");
+    verb.add_option("--b", options.variantB, "NAME of a kept variant, in B's place");
+    verb.add_option("--divider", options.divider, "of a wipe: A's share of the width")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+}
+
 } // namespace
 
 void addRender(CLI::App& program, int& exitCode)
@@ -321,14 +334,7 @@ void addRender(CLI::App& program, int& exitCode)
     verb->add_option("--lens", options->lens,
                      "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
         ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));
-    verb->add_option("--variant", options->variant,
-                     "of a scene with two surfaces: A (the default), B, both side by side or in a wipe, or the signed "
-                     "difference of luminance, B less A (PNG); or the name of a variant that the scene keeps");
-    verb->add_option("--a", options->variantA, "NAME of a kept variant, in A's place");
-    verb->add_option("--b", options->variantB, "NAME of a kept variant, in B's place");
-    verb->add_option("--divider", options->divider, "of a wipe: A's share of the width")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
+    addVariantOptions(*verb, *options);
     verb->add_option("--frames", options->frames, "shade this often and report the median time")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();

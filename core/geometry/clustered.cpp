@@ -74,6 +74,16 @@ std::vector<Mesh::Triangle> trianglesOf(const Mesh& mesh, const Clusters& cluste
     return triangles;
 }
 
+/// Triangles that were folded over while corners moved would be taken for the surface's other side, which is dark.
+void turnTowardsNormals(Mesh& mesh)
+{
+    for (auto& [a, b, c] : mesh.triangles) {
+        const Vec3d own = cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+        if (dot(own, mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) < 0.0)
+            std::swap(b, c);
+    }
+}
+
 Mesh meshOf(const Mesh& mesh, const Clusters& clusters, std::vector<Mesh::Triangle> triangles)
 {
     Mesh coarse;
@@ -92,6 +102,7 @@ Mesh meshOf(const Mesh& mesh, const Clusters& clusters, std::vector<Mesh::Triang
         coarse.positions[i] = coarse.positions[i] / members[i];
         coarse.normals[i] = normalized(coarse.normals[i]); // those of one face of the cube cannot cancel
     }
+    turnTowardsNormals(coarse);
     return coarse;
 }
 

@@ -63,6 +63,11 @@ TEST(Clustered, StaysNearTheSurfaceAndTurnsOutwards)
         EXPECT_GT(dot(coarse.normals[i], normalized(coarse.positions[i])), 0.99);
     }
     EXPECT_GT(agreement(coarse), 0.9);
+    for (const auto& [a, b, c] : coarse.triangles)
+        EXPECT_GE(dot(cross(coarse.positions[b] - coarse.positions[a], coarse.positions[c] - coarse.positions[a]),
+                      coarse.normals[a] + coarse.normals[b] + coarse.normals[c]),
+                  0.0)
+            << "a triangle that shows its back is dark";
     Mesh turned = coarse; // planted: the other winding must show
     for (Mesh::Triangle& triangle : turned.triangles)
         std::swap(triangle[1], triangle[2]);
