@@ -250,7 +250,7 @@ ViewSamples GlRenderer::readSamples()
     if (s.visibility.keepsPositions())
         return s.reader.readSamples(s.visibility.triangles(), s.visibility.surface(), view.settings, view.camera.eye);
     prepareState(s.functions->gl());
-    const RenderTarget surface = s.visibility.located(s.mesh, view.camera, view.settings);
+    const RenderTarget surface = s.visibility.located(**s.meshes.buffersOf(view.mesh), view.camera, view.settings);
     ViewSamples samples = s.reader.readSamples(s.visibility.triangles(), surface, view.settings, view.camera.eye);
     leaveState(s.functions->gl());
     return samples;
