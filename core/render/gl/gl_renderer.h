@@ -24,8 +24,8 @@ struct GlWork {
     std::uint64_t meshUploads = 0, visibilities = 0, shadings = 0, developments = 0, programLinks = 0, allocations = 0;
     std::uint64_t tableUploads = 0;
     std::uint64_t programsLoaded = 0; ///< of the programs linked: those that were kept on disk
-    std::uint64_t uploadedBytes = 0; ///< of meshes, lights, tables and surroundings
-    std::uint64_t targetBytes = 0;   ///< what the kept samples and pictures take now
+    std::uint64_t uploadedBytes = 0;  ///< of meshes, lights, tables and surroundings
+    std::uint64_t targetBytes = 0;    ///< what the kept samples and pictures take now
 };
 
 class GlRenderer {
