@@ -66,6 +66,8 @@ std::optional<BackendTimes> measured(const Scene& scene, const RenderSettings& s
     if (gl && *gl < soon)
         gl = wholeTime(scene, settings, plan, Backend::Gl, progress);
     const auto cpu = wholeTime(scene, settings, plan, Backend::Cpu, progress);
+    if (progress != nullptr)
+        progress->done = 0.0; // the picture itself is still to come
     if (!gl || !cpu)
         return std::nullopt;
     return BackendTimes{*gl, *cpu};
