@@ -39,6 +39,19 @@ void addShared(const Scene& scene, std::set<const void*>& counted, std::size_t& 
             bytes += sizeof(double) * surface->table->table.values.size();
 }
 
+/// The arrow keys of the tool Grab have moved the selected light to where it is.
+bool movedByKeys(const ExplorerState& state)
+{
+    const auto index = static_cast<std::size_t>(std::max(0, state.selectedLight));
+    return index < state.scene.lights.size() && state.grab.spotLight == state.scene.lights[index];
+}
+
+/// One more step of a key that is held, or pressed again at once.
+bool continuesKeys(const HistoryStep& last, const Moment& moment, const ExplorerState& state)
+{
+    return movedByKeys(state) && last.name.starts_with("Move ") && nameOfChange(last.after, moment) == last.name;
+}
+
 } // namespace
 
 void History::watch(const ExplorerState& state, Hand hand, Time now)
@@ -52,7 +65,8 @@ void History::watch(const ExplorerState& state, Hand hand, Time now)
     if (moment == last || hand.busy || (hand.turning && onlyCameraDiffers(last, moment)) ||
         (hand.loading && onlySmoothingDiffers(last, moment)))
         return;
-    if (continuesZoom(moment, now)) {
+    const bool soon = lastZoom_ && now - *lastZoom_ < zoomPause && !canRedo();
+    if (continuesZoom(moment, now) || (soon && continuesKeys(steps_[here_], moment, state))) {
         steps_[here_].after = std::move(moment);
         lastZoom_ = now;
         return;
@@ -63,15 +77,16 @@ void History::watch(const ExplorerState& state, Hand hand, Time now)
 bool History::continuesZoom(const Moment& moment, Time now) const
 {
     const Moment& last = steps_[here_].after;
-    return lastZoom_ && now - *lastZoom_ < zoomPause && !canRedo() && onlyCameraDiffers(last, moment) &&
-           isZoom(last.scene.camera, moment.scene.camera);
+    return lastZoom_ && now - *lastZoom_ < zoomPause && !canRedo() && steps_[here_].name == "Zoom" &&
+           onlyCameraDiffers(last, moment) && isZoom(last.scene.camera, moment.scene.camera);
 }
 
 void History::push(const ExplorerState& state, Moment moment, Time now)
 {
     const Moment& last = steps_[here_].after;
     const bool zoomed = onlyCameraDiffers(last, moment) && isZoom(last.scene.camera, moment.scene.camera);
-    lastZoom_ = zoomed ? std::optional(now) : std::nullopt;
+    const bool byKeys = movedByKeys(state) && nameOfChange(last, moment).starts_with("Move ");
+    lastZoom_ = zoomed || byKeys ? std::optional(now) : std::nullopt;
     std::string name = nameOfChange(last, moment);
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(here_ + 1), steps_.end());
     steps_.push_back({std::move(name), std::move(moment), state.selectedLight, state.guide.number});

@@ -170,6 +170,23 @@ TEST(GrabTool, KeysMoveTheSpotAndItsEdge)
     EXPECT_TRUE(state.grab.on);
 }
 
+TEST(GrabTool, AHeldKeyIsOneStepOfUndo)
+{
+    ExplorerState state = ballState();
+    const Light before = state.scene.lights[0];
+    History::Time now{};
+    for (int i = 0; i < 5; ++i) {
+        press({"Left"}, state);
+        state.history.watch(state, {}, now += std::chrono::milliseconds(100));
+    }
+    EXPECT_EQ(state.history.steps().size(), 2U);
+    press({"Left"}, state);
+    state.history.watch(state, {}, now + std::chrono::seconds(2));
+    EXPECT_EQ(state.history.steps().size(), 3U) << "after a rest it is another step";
+    state.history.go(0, state);
+    EXPECT_EQ(state.scene.lights[0], before);
+}
+
 TEST(GrabTool, ASpotThatIsNotSeenIsSaidInASentence)
 {
     ExplorerState state = ballState();

@@ -19,6 +19,23 @@ std::size_t previousCharacter(std::string_view text, std::size_t end)
     return end;
 }
 
+/// A tooltip finds its size in the frame after the one that knows its text: until then it must be drawn again.
+struct LastTooltip {
+    ImGuiID item = 0;
+    int frame = -1, frames = 0; ///< when it was drawn last, and how often in a row
+};
+LastTooltip lastTooltip;
+constexpr int framesToSettle = 3;
+
+void noteTooltip()
+{
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    if (lastTooltip.frame == g.FrameCount)
+        return;
+    const bool goesOn = lastTooltip.item == g.HoveredId && lastTooltip.frame == g.FrameCount - 1;
+    lastTooltip = {g.HoveredId, g.FrameCount, goesOn ? lastTooltip.frames + 1 : 1};
+}
+
 } // namespace
 
 ImVec2 sizeIn(Face which, std::string_view text)
@@ -48,11 +65,13 @@ bool tooltipIsDue()
 bool waitsForTime()
 {
     const ImGuiContext& g = *ImGui::GetCurrentContext();
-    return g.IO.WantTextInput || (g.HoveredId != 0 && g.HoveredIdTimer < tooltipDelay + 0.1F);
+    const bool settles = lastTooltip.frame == g.FrameCount && lastTooltip.frames < framesToSettle;
+    return settles || g.IO.WantTextInput || (g.HoveredId != 0 && g.HoveredIdTimer < tooltipDelay + 0.1F);
 }
 
 void beginTooltip()
 {
+    noteTooltip();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {points(10), points(8)});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(points(340));
