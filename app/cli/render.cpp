@@ -14,6 +14,7 @@
 #include "core/reflectance/kernel_tables.h"
 #include "core/render/headless/driver_ahead.h"
 #include "core/render/pictures/picture_waterfall.h"
+#include "core/scene/only_term.h"
 #include "core/scene/requirements.h"
 #include "core/scene/scene_file.h"
 
@@ -124,6 +125,7 @@ Result<void> checkLens(const Options& options)
         {"--shading", !options.shading.empty() && options.shading != "pixel"},
         {"--lobe", !options.lobe.empty() && options.lobe != "conditioned"},
         {"--frames", options.frames != 1},
+        {"--term", !options.term.empty() && options.term != "all"},
         {"--variant", !options.variant.empty() && options.variant != "A"},
         {"--reference", !options.reference.empty()},
         {"--waterfall", options.waterfall}};
@@ -144,6 +146,17 @@ int runLens(const Options& options, const Scene& scene, const RenderSettings& se
         return refused(written.error());
     const auto reported = writeReport(options.json, lensReport(kind, *map));
     return reported ? Done : refused(reported.error());
+}
+
+/// What the picture is made of: the scene, or what of it is to be seen alone.
+Result<Scene> viewedScene(const Options& options, const Scene& scene)
+{
+    if (options.term.empty() || options.term == "all")
+        return scene;
+    if (options.waterfall)
+        return Error{"--waterfall follows the whole picture; leave --term out"};
+    auto alone = onlyTerm(scene, options.term);
+    return alone ? alone : Error{"--term " + options.term + ": " + alone.error().message};
 }
 
 /// From the truth to what was written, where it was asked for.
@@ -169,7 +182,10 @@ Result<std::optional<Waterfall>> waterfallFrom(const Options& options, const Sce
 
 int renderAndReport(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan)
 {
-    const auto made = make(options, scene, settings, plan);
+    const auto viewed = viewedScene(options, scene);
+    if (!viewed)
+        return refused(viewed.error());
+    const auto made = make(options, *viewed, settings, plan);
     if (!made)
         return refused(made.error(), LongWork::wasStopped() ? Stopped : BadInput);
     if (const auto saved = saveShown(options.out, made->picture, scene, made->recipe); !saved)
@@ -205,7 +221,10 @@ int runProbe(const Options& options)
     if (!point)
         return refused(Error{"--probe " + options.probe + ": the object is not seen there; the picture is " +
                              std::to_string(settings->width) + "x" + std::to_string(settings->height)});
-    const Probe probe = probeAt(*scene, *point);
+    const auto viewed = viewedScene(options, *scene);
+    if (!viewed)
+        return refused(viewed.error());
+    const Probe probe = probeAt(*viewed, *point);
     if (options.json != "-")
         std::cout << probeText(probe) << std::flush;
     const auto written = writeReport(options.json, probeReport(probe));
@@ -282,6 +301,10 @@ void addRender(CLI::App& program, int& exitCode)
                      "of a scene with two surfaces: A (the default), B, both side by side or in a wipe, or the signed "
                      "difference of luminance, B less A (PNG)")
         ->check(CLI::IsMember({"A", "B", "side", "wipe", "difference"}));
+    verb->add_option(
+        "--term", options->term,
+        "what of the picture is seen alone: diffuse, specular or another term of the formula, offdiagonal (of "
+        "K), light:N, or all; the scene that the picture carries stays whole");
     verb->add_option("--divider", options->divider, "of a wipe: A's share of the width")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();

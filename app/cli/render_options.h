@@ -21,6 +21,7 @@ struct RenderOptions {
     std::string lobe;    ///< empty: conditioned, or as a saved picture has
     std::string variant; ///< "A", "B", "side", "wipe" or "difference"; empty: A, or as a saved picture has
     double divider = 0.5;
+    std::string term;     ///< seen alone: see onlyTerm; "all": the whole; empty: the whole, or as a saved picture has
     bool general = false; ///< nothing is specialised: terms that are 0 are computed too
     int frames = 1;
     std::string reference;
