@@ -7,6 +7,7 @@
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
+#include "app/explorer/probe_view.h"
 #include "app/explorer/requests.h"
 #include "app/explorer/sensor_polls.h"
 #include "app/explorer/session.h"
@@ -108,6 +109,7 @@ void drawView(Session& session, Area picture, float scale)
     beginArea("##view", picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
     drawViewport(state, session.viewport, session.renderer, session.second, picture, session.window.pixelsPerPoint(),
                  scale);
+    drawProbes(session, picture);
     drawTrust(session, picture);
     ImGui::End();
 }
@@ -187,6 +189,7 @@ void drawOnce(Session& session)
     const Events events = session.window.takeEvents();
     for (const KeyPress& key : events.keys)
         press(key, session.state);
+    serveProbeKey(session);
     playTape(session);
     session.toOpen.insert(session.toOpen.end(), events.dropped.begin(), events.dropped.end());
     session.state.drawSoon = false;
