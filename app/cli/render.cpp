@@ -18,6 +18,7 @@
 #include "core/render/headless/driver_ahead.h"
 #include "core/render/pictures/backend_choice.h"
 #include "core/render/pictures/picture_waterfall.h"
+#include "core/scene/only_term.h"
 #include "core/scene/requirements.h"
 #include "core/scene/scene_file.h"
 
@@ -119,7 +120,9 @@ Result<Made> make(const Options& options, const Scene& scene, const RenderSettin
     const BackendChoice choice = choiceFor(options, scene, settings, plan);
     RenderPlan chosen = plan;
     chosen.backend = choice.backend;
-    Made made{{}, recipeFrom(options, settings, "cpu", "double"), {}, choice.why};
+    Made made;
+    made.recipe = recipeFrom(options, settings, "cpu", "double");
+    made.why = choice.why;
     const auto render = [&](const Scene& variant, int width, int height) -> Result<Image> {
         auto rendered = renderPicture(variant, {width, height, settings.samplesPerAxis}, chosen, &LongWork::progress());
         if (!rendered)
@@ -146,6 +149,7 @@ Result<void> checkLens(const Options& options)
         {"--shading", !options.shading.empty() && options.shading != "pixel"},
         {"--lobe", !options.lobe.empty() && options.lobe != "conditioned"},
         {"--frames", options.frames != 1},
+        {"--term", !options.term.empty() && options.term != "all"},
         {"--variant", !options.variant.empty() && options.variant != "A"},
         {"--reference", !options.reference.empty()},
         {"--waterfall", options.waterfall}};
@@ -166,6 +170,17 @@ int runLens(const Options& options, const Scene& scene, const RenderSettings& se
         return refused(written.error());
     const auto reported = writeReport(options.json, lensReport(kind, *map));
     return reported ? Done : refused(reported.error());
+}
+
+/// What the picture is made of: the scene, or what of it is to be seen alone.
+Result<Scene> viewedScene(const Options& options, const Scene& scene)
+{
+    if (options.term.empty() || options.term == "all")
+        return scene;
+    if (options.waterfall)
+        return Error{"--waterfall follows the whole picture; leave --term out"};
+    auto alone = onlyTerm(scene, options.term);
+    return alone ? alone : Error{"--term " + options.term + ": " + alone.error().message};
 }
 
 /// From the truth to what was written, where it was asked for.
@@ -192,7 +207,10 @@ Result<std::optional<Waterfall>> waterfallFrom(const Options& options, const Sce
 int renderAndReport(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
                     std::optional<std::size_t> highlight)
 {
-    const auto made = make(options, scene, settings, plan);
+    const auto viewed = viewedScene(options, scene);
+    if (!viewed)
+        return refused(viewed.error());
+    const auto made = make(options, *viewed, settings, plan);
     if (!made)
         return refused(made.error(), LongWork::wasStopped() ? Stopped : BadInput);
     if (const auto saved = saveShown(options.out, made->picture, scene, made->recipe); !saved)
@@ -230,7 +248,10 @@ int runProbe(const Options& options)
     if (!point)
         return refused(Error{"--probe " + options.probe + ": the object is not seen there; the picture is " +
                              std::to_string(settings->width) + "x" + std::to_string(settings->height)});
-    const Probe probe = probeAt(*scene, *point);
+    const auto viewed = viewedScene(options, *scene);
+    if (!viewed)
+        return refused(viewed.error());
+    const Probe probe = probeAt(*viewed, *point);
     if (options.json != "-")
         std::cout << probeText(probe) << std::flush;
     const auto written = writeReport(options.json, probeReport(probe));
@@ -335,6 +356,10 @@ void addRender(CLI::App& program, int& exitCode)
                      "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
         ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));
     addVariantOptions(*verb, *options);
+    verb->add_option(
+        "--term", options->term,
+        "what of the picture is seen alone: diffuse, specular or another term of the formula, offdiagonal (of "
+        "K), light:N, or all; the scene that the picture carries stays whole");
     verb->add_option("--frames", options->frames, "shade this often and report the median time")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();

@@ -62,6 +62,8 @@ RenderOptions completed(RenderOptions options, const PictureRecipe& recipe)
     }
     if (options.lobe.empty())
         options.lobe = recipe.lobe;
+    if (options.term.empty() && options.lens.empty())
+        options.term = recipe.term;
     // Flags that choose an arithmetic go together: one of them, and the picture's own no longer counts.
     if (options.backend != "auto" || !options.precision.empty() || !options.shading.empty() || !options.lens.empty())
         return options;
@@ -85,6 +87,7 @@ PictureRecipe recipeFrom(const RenderOptions& options, const RenderSettings& set
     recipe.lens = options.lens.empty() ? "none" : options.lens;
     recipe.shown = shownNamed(options.variant);
     recipe.divider = options.divider;
+    recipe.term = options.term == "all" ? std::string() : options.term;
     recipe.holes = options.scene.showHoles;
     return recipe;
 }

@@ -23,6 +23,7 @@ struct RenderOptions {
     std::string variant; ///< "A", "B", "side", "wipe", "difference" or a kept name; empty: A, or as a saved picture has
     std::string variantA, variantB; ///< names of kept surfaces; empty: as the scene has them
     double divider = 0.5;
+    std::string term;     ///< seen alone: see onlyTerm; "all": the whole; empty: the whole, or as a saved picture has
     bool general = false; ///< nothing is specialised: terms that are 0 are computed too
     bool noCache = false; ///< nothing is read from or written to the user's cache folder
     int frames = 1;

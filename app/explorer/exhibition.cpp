@@ -20,6 +20,7 @@ void putAside(ExplorerState& state, std::string title, std::string caption)
     state.putAside->title = std::move(title);
     state.putAside->caption = std::move(caption);
     state.soloLight = -1;
+    state.probe.term.clear();
     state.turntable = false;
     state.compare.on = false;
     state.compare.handOnB = false;

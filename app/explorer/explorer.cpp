@@ -7,6 +7,7 @@
 #include "app/explorer/pictures.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
+#include "app/explorer/probe_view.h"
 #include "app/explorer/requests.h"
 #include "app/explorer/sensor_polls.h"
 #include "app/explorer/session.h"
@@ -108,6 +109,7 @@ void drawView(Session& session, Area picture, float scale)
     beginArea("##view", picture, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav, false);
     drawViewport(state, session.viewport, session.renderer, session.second, session.standIn, picture,
                  session.window.pixelsPerPoint(), scale);
+    drawProbes(session, picture);
     drawTrust(session, picture);
     ImGui::End();
 }
@@ -193,6 +195,7 @@ void drawOnce(Session& session)
     const Events events = session.window.takeEvents();
     for (const KeyPress& key : events.keys)
         press(key, session.state);
+    serveProbeKey(session);
     playTape(session);
     session.window.giveArrowsToPicture(session.state.grab.on && !session.state.showFileBrowser);
     session.toOpen.insert(session.toOpen.end(), events.dropped.begin(), events.dropped.end());

@@ -12,11 +12,11 @@ void request(ExplorerState& state, Kind kind, const std::string& path = {})
     state.requests.push_back({kind, path});
 }
 
-/// F2 .. F10 stand for the workbench's first nine pages; -1 for every other key.
+/// F2 .. F11 stand for the workbench's first ten pages; -1 for every other key.
 int pageOfKey(const std::string& key)
 {
-    if (key == "F10")
-        return 8;
+    if (key == "F10" || key == "F11")
+        return key == "F10" ? 8 : 9;
     return key.size() == 2 && key[0] == 'F' && key[1] >= '2' && key[1] <= '9' ? key[1] - '2' : -1;
 }
 
@@ -95,8 +95,8 @@ void requestForOffered(ExplorerState& state, Kind kind)
         state.requests.push_back({kind, offered->file});
 }
 
-/// Closes what lies on top: an overlay, then loading, then a message, then a hazard's case, then the offer of an earlier
-/// session.
+/// Closes what lies on top: an overlay, then loading, then a message, then a term seen alone, then a probe that is not pinned,
+/// then a hazard's case, then the offer of an earlier session.
 void escape(ExplorerState& state)
 {
     if (state.showHelp || state.showFileBrowser)
@@ -105,6 +105,10 @@ void escape(ExplorerState& state)
         request(state, Kind::CancelLoading);
     else if (state.message)
         state.message.reset();
+    else if (!state.probe.term.empty())
+        state.probe.term.clear();
+    else if (state.probe.loose)
+        state.probe.probe(std::nullopt);
     else if (leaveCase(state))
         return;
     else
@@ -150,6 +154,8 @@ void pressAlone(const KeyPress& key, ExplorerState& state)
         showClayOrPutItAway(state);
     else if (key.key == "s")
         state.grab.on = !state.grab.on;
+    else if (key.key == "p")
+        state.probe.asked = true;
     else if (key.key == "m")
         nextModel(state, key.shift ? -1 : 1);
     else if (key.key.size() == 1 && key.key[0] >= '1' && key.key[0] <= '9')

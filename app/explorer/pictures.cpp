@@ -2,6 +2,7 @@
 
 #include "app/explorer/shown_picture.h"
 #include "app/explorer/user_folders.h"
+#include "app/explorer/viewed_scene.h"
 #include "core/image/picture_file.h"
 
 #include <GL/glcorearb.h>
@@ -60,6 +61,8 @@ PictureRecipe recipeOf(const ExplorerState& state, const Viewport& viewport)
         recipe.width = wholeWidth(size.width);
     recipe.divider = static_cast<double>(state.compare.divider);
     recipe.holes = true;
+    if (seesTermAlone(state))
+        recipe.term = state.probe.term;
     return recipe;
 }
 
@@ -69,6 +72,7 @@ Result<std::string> saveViewPicture(const ExplorerState& state, const Viewport& 
                                     SecondView& second, const std::string& path)
 {
     const Scene scene = shownScene(state);
+    const Scene viewed = viewedScene(state);
     const PictureRecipe recipe = recipeOf(state, viewport);
     const auto render = [&](const Scene& variant, int width, int height) -> Result<Image> {
         const RenderSettings settings{width, height, recipe.samplesPerAxis};
@@ -78,7 +82,7 @@ Result<std::string> saveViewPicture(const ExplorerState& state, const Viewport& 
             return drawn.error();
         return isB ? second.renderer->readLinear() : renderer.readLinear();
     };
-    const auto picture = shownPicture(scene, recipe, render);
+    const auto picture = shownPicture(viewed, recipe, render);
     if (!picture)
         return picture.error();
     const std::string chosen = chosenPath(state, path);

@@ -1,5 +1,7 @@
 #include "app/explorer/prices.h"
 
+#include "app/explorer/viewed_scene.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -19,7 +21,7 @@ std::shared_ptr<const Rested> drawnByGl(Session& session)
     renderer.finish();
     renderer.invalidateShading();
     const Clock::time_point start = Clock::now();
-    const Scene scene = shownScene(session.state);
+    const Scene scene = viewedScene(session.state);
     if (!renderer.render(scene, session.viewport.settings))
         return nullptr;
     renderer.finish();
@@ -75,7 +77,9 @@ void pollPrices(Session& session)
         session.pricedPicture = session.viewport.pictures;
         if (std::shared_ptr<const Rested> rested = drawnByGl(session)) {
             restTrust(session, std::move(rested));
-            session.pricesWait = true;
+            // A term alone is walked on the CPU, which says nothing about what the surface costs.
+            session.pricesWait = !seesTermAlone(session.state);
+            session.state.measuringPrices = session.pricesWait;
         }
     }
     pollTrust(session);

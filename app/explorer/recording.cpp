@@ -2,6 +2,7 @@
 
 #include "app/explorer/comparison.h"
 #include "app/explorer/grab_tool.h"
+#include "app/explorer/viewed_scene.h"
 #include "core/scene/scene_json.h"
 
 #include <algorithm>
@@ -110,11 +111,14 @@ Result<void> replay(const RecordedEvent& event, ExplorerState& state)
     Result<void> done;
     if (const auto* key = std::get_if<KeyPress>(&event)) {
         press(*key, state);
+        state.probe.asked = false; // where it fell is an event of its own
         serveHere(state);
     } else if (const auto* moved = std::get_if<RecordedStroke>(&event)) {
         stroke(*moved, state);
     } else if (const auto* wheel = std::get_if<RecordedWheel>(&event)) {
         state.scene.camera = zoomedByWheel(state.scene.camera, wheel->steps);
+    } else if (const auto* probe = std::get_if<RecordedProbe>(&event)) {
+        probeUnder(state, probe->at, probe->size);
     } else {
         done = edit(std::get<RecordedEdit>(event), state);
     }

@@ -29,6 +29,12 @@ struct RecordedStroke {
     std::optional<Grasp> grasp = {}; ///< what the tool Grab took
 };
 
+/// A point of the object that was probed.
+struct RecordedProbe {
+    Cursor at;
+    ViewSize size; ///< of the picture, pixels
+};
+
 struct RecordedWheel {
     double steps = 0.0;
 };
@@ -37,7 +43,7 @@ struct RecordedEdit {
     std::string patch; ///< of the scene's JSON and what belongs to it (RFC 6902)
 };
 
-using RecordedEvent = std::variant<KeyPress, RecordedStroke, RecordedWheel, RecordedEdit>;
+using RecordedEvent = std::variant<KeyPress, RecordedStroke, RecordedWheel, RecordedProbe, RecordedEdit>;
 
 struct Recording {
     std::string start; ///< the document at the beginning, see documentOf

@@ -46,6 +46,12 @@ Json written(const RecordedWheel& wheel)
     return {{"wheel", wheel.steps}};
 }
 
+Json written(const RecordedProbe& probe)
+{
+    return {
+        {"probe_x", probe.at.x}, {"probe_y", probe.at.y}, {"width", probe.size.width}, {"height", probe.size.height}};
+}
+
 Json written(const RecordedEdit& edit)
 {
     return {{"edit", Json::parse(edit.patch)}};
@@ -89,17 +95,29 @@ RecordedStroke readStroke(ObjectReader& object)
     return stroke;
 }
 
+RecordedProbe readProbe(ObjectReader& object)
+{
+    RecordedProbe probe;
+    object.read("probe_x", probe.at.x);
+    object.read("probe_y", probe.at.y);
+    object.read("width", probe.size.width, 1, mostPixels);
+    object.read("height", probe.size.height, 1, mostPixels);
+    return probe;
+}
+
 RecordedEvent readEvent(const Json& json, const std::string& name, ObjectReader& object)
 {
     if (json.contains("key"))
         return readKey(object);
     if (json.contains("stroke"))
         return readStroke(object);
+    if (json.contains("probe_x"))
+        return readProbe(object);
     RecordedWheel wheel;
     if (json.contains("wheel"))
         object.read("wheel", wheel.steps, -1000.0, 1000.0);
     else
-        object.fail(name + " is none of 'key', 'stroke', 'wheel' and 'edit'");
+        object.fail(name + " is none of 'key', 'stroke', 'wheel', 'probe_x' and 'edit'");
     return wheel;
 }
 

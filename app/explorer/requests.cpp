@@ -57,6 +57,7 @@ void resetScene(Session& session)
     endComparison(session);
     session.state.selectedLight = 0;
     session.state.soloLight = -1;
+    session.state.probe.term.clear();
     resetView(session);
 }
 
@@ -231,6 +232,7 @@ struct TakeOver {
         session.state.compare.on = session.state.scene.other.has_value();
         session.state.selectedLight = session.state.scene.lights.empty() ? -1 : 0;
         session.state.soloLight = -1;
+        session.state.probe.term.clear();
         session.state.panels.matrices.clear(); // what a narrower mode hid belongs to the scene before
         session.sceneFile = path;
     }
@@ -241,6 +243,7 @@ struct TakeOver {
         const std::string none;
         TakeOver{session, none}(std::move(kept.scene));
         showAs(session.state.compare, kept.recipe);
+        session.state.probe.term = kept.recipe.term;
         tell(session, "The session of this picture is restored, as version " + written + " saved it.");
     }
     void operator()(std::shared_ptr<const MeasuredTable> table) const

@@ -5,6 +5,7 @@
 #include "app/explorer/file_loader.h"
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/own_models.h"
+#include "app/explorer/probes.h"
 #include "app/explorer/second_view.h"
 #include "app/explorer/stand_in.h"
 #include "app/explorer/state.h"
@@ -46,6 +47,7 @@ struct Session {
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
     Autosave autosave{stateFolder()};
     OwnModelWatch ownModels;
+    Probes probes;
 
     Worker<Waterfall> waterfall{Window::wake};
     std::shared_ptr<const Rested> waterfallAsked; ///< the picture that it was last asked of

@@ -11,6 +11,7 @@
 #include "app/explorer/history.h"
 #include "app/explorer/lab_study.h"
 #include "app/explorer/object_price.h"
+#include "app/explorer/probe_study.h"
 #include "app/explorer/sensor_study.h"
 #include "app/explorer/stand_in.h"
 #include "app/explorer/surface_shelf.h"
@@ -166,6 +167,7 @@ struct ExplorerState {
     LabStudy lab;
     TablePage tablePage;
     TradeStudy trade;
+    ProbeStudy probe;
 
     // Between the panels and the frame loop.
     PanelMemory panels;

@@ -37,6 +37,8 @@ struct TradeStudy {
     bool rechecking = false;
     std::optional<double> rechecked; ///< the shown candidate's error on the changed scene
     std::shared_ptr<const SufficientMap> map;
+    bool termsAsked = false; ///< the page wants the terms by themselves, without the candidates
+    bool measuringTerms = false;
     std::shared_ptr<const TermBars> terms;
     std::string problem; ///< why there is no trade
 

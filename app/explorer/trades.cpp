@@ -44,15 +44,39 @@ void giveUp(Session& session)
     session.state.trade.running = false;
 }
 
+void measureTerms(Session& session, const Scene& scene, const RenderSettings& settings)
+{
+    session.state.trade.measuringTerms = true;
+    session.trades.terms.start(
+        [scene, settings](Progress& progress) { return termBars(scene, settings, termRepetitions, &progress); });
+}
+
+/// The view as the window would draw it at rest.
+RenderSettings viewSettings(const Session& session)
+{
+    RenderSettings view = session.viewport.settings;
+    view.samplesPerAxis = session.state.preferences.samplesPerAxis; // also while the camera's motion shows fewer
+    return measuredSettings(view);
+}
+
+/// The terms by themselves, where the page asks for them.
+void keepTerms(Session& session)
+{
+    TradeStudy& study = session.state.trade;
+    if (std::exchange(study.termsAsked, false) && !study.running)
+        measureTerms(session, shownScene(session.state), viewSettings(session));
+    if (auto terms = session.trades.terms.take())
+        study.terms = std::make_shared<const TermBars>(*std::move(terms));
+    study.measuringTerms = session.trades.terms.busy();
+}
+
 void begin(Session& session)
 {
     giveUp(session);
     Trades& trades = session.trades;
     TradeStudy& study = session.state.trade;
     trades.scene = shownScene(session.state);
-    RenderSettings view = session.viewport.settings;
-    view.samplesPerAxis = session.state.preferences.samplesPerAxis; // also while the camera's motion shows fewer
-    trades.settings = measuredSettings(view);
+    trades.settings = viewSettings(session);
     TradeOptions options;
     options.metric = study.metric;
     GlRenderer* gl = studyRenderer(session);
@@ -80,9 +104,7 @@ void takeSteps(Session& session, TradeSteps steps)
     study.done = session.trades.run->done();
     study.running = steps.more;
     if (!steps.more)
-        session.trades.terms.start([scene = session.trades.scene, settings = session.trades.settings](Progress& p) {
-            return termBars(scene, settings, termRepetitions, &p);
-        });
+        measureTerms(session, session.trades.scene, session.trades.settings);
 }
 
 void goOn(Session& session)
@@ -216,14 +238,13 @@ void pollTrade(Session& session)
         giveUp(session);
     if (std::exchange(study.asked, false))
         begin(session);
+    keepTerms(session);
     if (!session.trades.run)
         return;
     study.stale = !looksTheSame(shownScene(session.state), session.trades.scene);
     if (study.running && study.stale)
         giveUp(session); // what would be measured now is no longer what is seen
     goOn(session);
-    if (auto terms = session.trades.terms.take())
-        study.terms = std::make_shared<const TermBars>(*std::move(terms));
     keepRechecking(session);
     keepMap(session);
     keepOverlay(session);

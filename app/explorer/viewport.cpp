@@ -1,6 +1,7 @@
 #include "app/explorer/viewport.h"
 
 #include "app/explorer/ui/compare_overlay.h"
+#include "app/explorer/viewed_scene.h"
 
 #include <imgui.h>
 
@@ -12,6 +13,8 @@ namespace {
 
 /// A drag that only shades shows every sample as long as a picture takes no longer than this.
 constexpr double smoothMilliseconds = 40.0;
+/// Points that a hand may move between press and release and still have clicked.
+constexpr float clickReach = 3.0F;
 
 Modifiers modifiers()
 {
@@ -61,6 +64,7 @@ void beginStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
         if (!ImGui::IsMouseClicked(imguiButton(button)))
             continue;
         viewport.button = button;
+        viewport.strayed = false;
         viewport.pressed = {button, modifiers(), viewport.view.size, viewport.hoveredLight, state.selectedLight,
                             cursor, cursor};
         viewport.stroke = strokeFrom(button, modifiers(), cursor, viewport.hoveredLight, state.selectedLight,
@@ -71,20 +75,37 @@ void beginStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
     }
 }
 
+/// A click turns nothing: the object stays until the hand has left the place where it pressed.
+bool isClick(Viewport& viewport, Cursor cursor)
+{
+    if (viewport.stroke.kind != Stroke::Kind::Orbit)
+        return false;
+    const double way = std::hypot(cursor.x - viewport.stroke.start.x, cursor.y - viewport.stroke.start.y);
+    viewport.strayed =
+        viewport.strayed || way > static_cast<double>(clickReach * viewport.view.pixelsPerPoint * viewport.view.scale);
+    return !viewport.strayed;
+}
+
 void continueStroke(ExplorerState& state, Viewport& viewport, Cursor cursor)
 {
     Stroke& stroke = viewport.stroke;
     if (stroke.kind == Stroke::Kind::Grab)
         return continueGrab(state, viewport, cursor);
     const bool lightGone = stroke.movesLight() && stroke.light >= static_cast<int>(state.scene.lights.size());
+    const bool click = isClick(viewport, cursor);
     if (stroke.movesCamera())
-        state.scene.camera = cameraOf(stroke, viewport.view.size, cursor);
+        state.scene.camera = click ? stroke.cameraBefore : cameraOf(stroke, viewport.view.size, cursor);
     else if (!lightGone)
         state.scene.lights[static_cast<std::size_t>(stroke.light)] = lightOf(stroke, viewport.view.size, cursor);
     // The frame that sees the release still follows the hand: a quick stroke may fit between two frames.
     if (!lightGone && ImGui::IsMouseDown(imguiButton(viewport.button)))
         return;
     stroke = {};
+    if (click) {
+        probeUnder(state, viewport.pressed.from, viewport.view.size);
+        viewport.done.emplace_back(RecordedProbe{viewport.pressed.from, viewport.view.size});
+        return;
+    }
     viewport.pressed.to = cursor;
     viewport.done.emplace_back(viewport.pressed);
 }
@@ -177,7 +198,7 @@ std::uint64_t picturesOf(const GlRenderer& renderer, const SecondView& second)
 void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, SecondView& second, StandIn& standIn)
 {
     viewport.settings = settingsFor(state, viewport);
-    Scene shown = shownScene(state);
+    Scene shown = viewedScene(state);
     shown.mesh = standIn.meshFor(shown.mesh, viewport.cameraMoves, viewport.fullMilliseconds);
     state.standIn = standIn.facts();
     viewport.refinementOwed = viewport.refinementOwed || state.standIn.shown;

@@ -20,6 +20,7 @@ struct Viewport {
     RecordedStroke pressed;                 ///< how it began
     std::vector<RecordedEvent> done;        ///< strokes and turns of the wheel since the tape last took them
     MouseButton button = MouseButton::Left; ///< that the stroke began with
+    bool strayed = false;                   ///< the stroke has left its start: it is no click
     int hoveredLight = -1;
     bool hovered = false; ///< the mouse is on the picture and on nothing that lies over it
 

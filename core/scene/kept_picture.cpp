@@ -38,17 +38,20 @@ std::string wholePath(const std::string& folder)
 
 Json written(const PictureRecipe& recipe)
 {
-    return {{"width", recipe.width},
-            {"height", recipe.height},
-            {"samples", recipe.samplesPerAxis * recipe.samplesPerAxis},
-            {"backend", recipe.backend},
-            {"precision", recipe.precision},
-            {"shading", recipe.shading},
-            {"shows", nameOf(recipe.shown)},
-            {"divider", recipe.divider},
-            {"holes", recipe.holes},
-            {"lens", recipe.lens},
-            {"lobe", recipe.lobe}};
+    Json json{{"width", recipe.width},
+              {"height", recipe.height},
+              {"samples", recipe.samplesPerAxis * recipe.samplesPerAxis},
+              {"backend", recipe.backend},
+              {"precision", recipe.precision},
+              {"shading", recipe.shading},
+              {"shows", nameOf(recipe.shown)},
+              {"divider", recipe.divider},
+              {"holes", recipe.holes},
+              {"lens", recipe.lens},
+              {"lobe", recipe.lobe}};
+    if (!recipe.term.empty())
+        json["term"] = recipe.term;
+    return json;
 }
 
 /// A word out of a list, as a word.
@@ -79,6 +82,7 @@ void readRecipe(ObjectReader object, PictureRecipe& recipe)
     readWord(object, "shading", shadings, recipe.shading);
     readWord(object, "lens", lenses, recipe.lens);
     object.read("lobe", recipe.lobe);
+    object.read("term", recipe.term);
     if (const auto known = lobeFormNamed(recipe.lobe); !known)
         object.fail("picture.lobe: " + known.error().message);
     object.readNamed("shows", shownNames, recipe.shown);

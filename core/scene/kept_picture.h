@@ -27,8 +27,9 @@ struct PictureRecipe {
     std::string lobe = "conditioned"; ///< the form of (R.V)^n
     std::string lens = "none";        ///< the arithmetic whose digits are painted: "float", "half", "simd" or "glsl"
     VariantView shown = VariantView::A;
-    double divider = 0.5; ///< Wipe: A's share of the width
-    bool holes = false;   ///< stripes where a measured table has no value
+    double divider = 0.5;  ///< Wipe: A's share of the width
+    std::string term = {}; ///< seen alone, as onlyTerm has it; empty: the whole
+    bool holes = false;    ///< stripes where a measured table has no value
 
     friend bool operator==(const PictureRecipe&, const PictureRecipe&) = default;
 };

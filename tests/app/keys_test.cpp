@@ -52,6 +52,21 @@ TEST(Keys, AnswerTheOfferOfAnEarlierSession)
         EXPECT_EQ(request.path, "2.json") << "the first is dismissed already";
 }
 
+TEST(Keys, ProbeAndPutTheProbeAway)
+{
+    ExplorerState state = stateWithLights(1);
+    press({"p"}, state);
+    EXPECT_TRUE(state.probe.asked);
+    state.probe.loose = ProbePlace();
+    state.probe.term = "diffuse";
+    press({"Esc"}, state);
+    EXPECT_TRUE(state.probe.term.empty());
+    EXPECT_TRUE(state.probe.loose) << "one thing at a time";
+    press({"Esc"}, state);
+    EXPECT_FALSE(state.probe.loose);
+    EXPECT_TRUE(state.requests.empty());
+}
+
 TEST(Keys, OpenPagesOfTheWorkbench)
 {
     ExplorerState state = stateWithLights(1);
@@ -59,12 +74,15 @@ TEST(Keys, OpenPagesOfTheWorkbench)
     press({"F9"}, state);
     press({"F10"}, state);
     press({"F11"}, state);
-    ASSERT_EQ(state.requests.size(), 3U);
+    press({"F12", true}, state);
+    ASSERT_EQ(state.requests.size(), 5U);
+    state.requests.pop_back(); // saves the window
     for (const Request& request : state.requests)
         EXPECT_EQ(request.kind, Request::Kind::TogglePage);
     EXPECT_EQ(state.requests[0].path, "0");
     EXPECT_EQ(state.requests[1].path, "7");
     EXPECT_EQ(state.requests[2].path, "8");
+    EXPECT_EQ(state.requests[3].path, "9");
 }
 
 TEST(Keys, LayTheLensAndChangeIt)

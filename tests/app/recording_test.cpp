@@ -108,6 +108,20 @@ TEST(Recording, MissesAnEventThatWasTakenOut) // planted
     EXPECT_NE(documentOf(*replayed(cut)), documentOf(session.state));
 }
 
+TEST(Recording, ProbesWhatTheHandProbed)
+{
+    Session session;
+    session.note(RecordedProbe{{320.0, 240.0}, view});
+    session.note(KeyPress{"m"});
+    const auto read = parseRecording(recordingText(session.recorder.recording()), "a.json");
+    ASSERT_TRUE(read) << read.error().sentence();
+    const auto end = replayed(*read);
+    ASSERT_TRUE(end && end->probe.loose && session.state.probe.loose);
+    EXPECT_EQ(end->probe.loose->point.P, session.state.probe.loose->point.P);
+    EXPECT_FALSE(end->probe.asked);
+    EXPECT_EQ(documentOf(*end), documentOf(session.state)) << "the scene knows nothing of it";
+}
+
 TEST(Recording, NotesWhatNoKeyOrStrokeExplains)
 {
     Session session;

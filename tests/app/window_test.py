@@ -64,13 +64,13 @@ def wait_for(condition, what):
 class Explorer:
     """The program in a home of its own, started from another folder."""
 
-    def __init__(self, program, display, home, argument, mesh):
+    def __init__(self, program, display, home, argument, mesh, *more):
         self.home = home
         self.mesh = mesh
         self.environment = dict(os.environ, DISPLAY=display.name, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"),
                                 XDG_STATE_HOME=str(home / "state"), XDG_CACHE_HOME=str(home / "cache"),
                                 LIBGL_ALWAYS_SOFTWARE="1")
-        self.process = subprocess.Popen([program, argument], cwd="/", env=self.environment)
+        self.process = subprocess.Popen([program, argument, *more], cwd="/", env=self.environment)
         wait_for(self.window, f"the window appears and shows {mesh}")
 
     def xdotool(self, *arguments):
@@ -284,6 +284,36 @@ def remembers_in_pictures(program, display, home):
         explorer.process.kill()
 
 
+def probes_a_point(program, display, home):
+    scene_file, recording = home / "scene.json", home / "recording.json"
+    scene_file.write_text(json.dumps(SCENE))
+    explorer = Explorer(program, display, home, str(scene_file), "sphere", "--record", str(recording))
+
+    def probes():
+        events = json.loads(recording.read_text())["events"] if recording.exists() else []
+        return [(event["probe_x"], event["probe_y"]) for event in events if "probe_x" in event]
+
+    try:
+        explorer.xdotool("mousemove", *PICTURE_MIDDLE)
+        before = explorer.saved_scene(scene_file)
+        explorer.xdotool("mousemove", PICTURE_MIDDLE[0] - 90, PICTURE_MIDDLE[1] + 70)
+        explorer.xdotool("click", 1)
+        clicked = wait_for(lambda: probes() or None, "a click probes")
+        # The picture begins below a toolbar of 44.
+        check(clicked == [(PICTURE_MIDDLE[0] - 90, PICTURE_MIDDLE[1] + 70 - 44)], f"the point under the mouse: {clicked}")
+        check(explorer.saved_scene(scene_file) == before, "and turns nothing")
+        explorer.xdotool("key", "p")
+        wait_for(lambda: True if len(probes()) == 2 else None, "P probes as well")
+        check(probes()[1] == probes()[0], "the same point")
+        explorer.xdotool("key", "ctrl+z")
+        check(explorer.saved_scene(scene_file) == before, "there is nothing to undo")
+        explorer.quit()
+        kept = json.loads((home / "config/reflectance/preferences.json").read_text())
+        check(kept["workbenchPage"] == "probe", "P opens the page")
+    finally:
+        explorer.process.kill()
+
+
 def shows_the_tour(program, display, home):
     explorer = Explorer(program, display, home, "mug", "mug")
     try:
@@ -325,6 +355,7 @@ def main():
                            ("killed", lambda home: restores_what_a_killed_program_left(program, display, home)),
                            ("clay", lambda home: compares_clay(program, display, home)),
                            ("pictures", lambda home: remembers_in_pictures(program, display, home)),
+                           ("probe", lambda home: probes_a_point(program, display, home)),
                            ("tour", lambda home: shows_the_tour(program, display, home)),
                            ("broken", lambda home: survives_a_broken_mesh(program, display, home))):
             home = pathlib.Path(folder) / name

@@ -1,5 +1,6 @@
 #include "app/explorer/ui/compare_overlay.h"
 
+#include "app/explorer/ui/piece.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/base/text.h"
 #include "core/image/compare.h"
@@ -20,19 +21,6 @@ constexpr std::array<Choice, 4> modes = {{
     {"Difference",
      "B less A in luminance: blue where B is darker, red where it is brighter, white where they are equal."},
 }};
-
-constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-
-/// A piece of interface over the picture.
-void beginPiece(const char* id, ImVec2 corner, ImVec2 size)
-{
-    ImGui::SetCursorScreenPos(corner);
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::floating);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {points(8), points(6)});
-    ImGui::BeginChild(id, size, false, still | ImGuiWindowFlags_AlwaysUseWindowPadding);
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
-}
 
 } // namespace
 
@@ -95,7 +83,7 @@ void drawName(ExplorerState& state, bool isB, const Area& pane, bool atRight)
     const float height = ImGui::GetFrameHeight();
     const float x = atRight ? pane.right() - points(8) - width : pane.x + points(8);
     ImGui::SetCursorScreenPos({x, pane.bottom() - points(8) - height});
-    ImGui::BeginChild(isB ? "##name B" : "##name A", {width, height}, false, still);
+    ImGui::BeginChild(isB ? "##name B" : "##name A", {width, height}, false, stillWindow);
     const std::string shown = elided(name, width - points(12));
     if (toggleButton((shown + "##name").c_str(), state.compare.handOnB == isB, {width, height}))
         state.compare.handOnB = isB;
@@ -112,7 +100,7 @@ void drawDivider(ExplorerState& state, const Area& area)
     const float top = area.y + compareBarHeight() + points(12);
     const float height = std::max(1.0F, area.bottom() - top - ImGui::GetFrameHeight() - points(12));
     ImGui::SetCursorScreenPos({x - reach, top});
-    ImGui::BeginChild("##divider", {2 * reach, height}, false, still | ImGuiWindowFlags_NoBackground);
+    ImGui::BeginChild("##divider", {2 * reach, height}, false, stillWindow | ImGuiWindowFlags_NoBackground);
     ImGui::InvisibleButton("##grip", {2 * reach, height});
     compare.holdsDivider = ImGui::IsItemActive();
     const bool touched = compare.holdsDivider || ImGui::IsItemHovered();

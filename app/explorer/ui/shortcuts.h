@@ -20,6 +20,8 @@ inline constexpr Shortcut shortcutTable[] = {
     {"View", "R", "the first view again"},
     {"View", "T", "turntable on or off"},
     {"View", "L, Shift+L", "the lens: digits that float keeps; the next arithmetic"},
+    {"View", "click the object, P", "probe that point: the formula with its numbers; P opens the page"},
+    {"View", "click a pin", "look at that probe again"},
     {"Lights", "drag a handle", "move that light over the sphere of directions"},
     {"Lights", "click a handle, 1 \u2026 9", "select a light"},
     {"Lights", "Ctrl+Shift+drag", "turn the selected light, anywhere in the view"},
@@ -43,10 +45,10 @@ inline constexpr Shortcut shortcutTable[] = {
     {"Program", "Ctrl+S", "save the scene"},
     {"Program", "Ctrl+R", "restore the session before a crash, while it is offered"},
     {"Program", "F12, Ctrl+F12", "save a picture of the view, of the whole window"},
-    {"Program", "F2 \u2026 F10", "open or close a page of the workbench"},
+    {"Program", "F2 \u2026 F11", "open or close a page of the workbench"},
     {"Program", "G, Page up, Page down", "the guided tour; its steps"},
     {"Program", "F1", "this page"},
-    {"Program", "Esc", "close what is on top, stop loading, leave a hazard's case or the tour"},
+    {"Program", "Esc", "close what is on top, stop loading, put a probe away, leave a hazard's case or the tour"},
     {"Program", "Ctrl+Q", "quit"},
 };
 

@@ -1,9 +1,7 @@
 #include "core/study/probe/probe.h"
 
-#include "core/base/check.h"
 #include "core/math/lobe.h"
-#include "core/reflectance/own_model.h"
-#include "core/reflectance/walked/terms.h"
+#include "core/reflectance/walked/dissected.h"
 #include "core/render/cpu/surface_point.h"
 #include "core/sensor/sensor.h"
 
@@ -14,36 +12,18 @@
 namespace reflectance {
 namespace {
 
-/// A formula and its parts, ready to be asked.
-struct Dissected {
+/// The scene's formula and its parts, ready to be asked.
+struct Asked {
     const Model* model = nullptr;
     std::vector<double> values;
     MeasuredSurfaces measured;
-    walked::Tree tree;
-    std::vector<walked::Term> terms;
-    std::vector<Model> alone; ///< one per term
+    std::shared_ptr<const walked::Dissected> parts;
 };
 
-Dissected dissected(const Scene& scene)
+Asked askedOf(const Scene& scene)
 {
-    Dissected parts;
-    parts.model = &modelOf(scene);
-    parts.values = valuesOf(scene);
-    parts.measured = lookUpsIn(scene.surface.table.get());
-    auto tree = walked::treeOf(parts.model->text);
-    CHECK_EQ(tree.has_value(), true); // a test reads every built-in text; an own one was read before it was used
-    parts.tree = *std::move(tree);
-    parts.terms = walked::termsOf(parts.tree);
-    if (parts.terms.size() < 2)
-        parts.terms.clear();
-    for (std::size_t i = 0; i < parts.terms.size(); ++i) {
-        std::vector<bool> keep(parts.terms.size(), false);
-        keep[i] = true;
-        auto model = walkedModel(walked::withTerms(parts.model->text, parts.tree, keep));
-        CHECK_EQ(model.has_value(), true);
-        parts.alone.push_back(*std::move(model));
-    }
-    return parts;
+    const Model& model = modelOf(scene);
+    return {&model, valuesOf(scene), lookUpsIn(scene.surface.table.get()), walked::dissected(model.text)};
 }
 
 /// As the renderer has it, the order of its operations included.
@@ -59,25 +39,25 @@ void arrive(const Light& light, const Vec3d& P, ProbedLight& probed)
     probed.I = light.intensity * (probed.distance > 0.0 ? 1.0 / (r * r) : 0.0);
 }
 
-Vec3d shaded(const Model& model, const Dissected& parts, const walked::Place& place)
+Vec3d shaded(const Model& model, const Asked& asked, const walked::Place& place)
 {
     const Vec3d& N = place.N;
     const Vec3d& L = place.L;
     const Vec3d& V = place.V;
     const Vec3d& I = place.I;
     Vec3d sum;
-    model.exact.shade(parts.values.data(), {1,
+    model.exact.shade(asked.values.data(), {1,
                                             {&N.x, &N.y, &N.z},
                                             {&L.x, &L.y, &L.z},
                                             {&V.x, &V.y, &V.z},
                                             {&I.x, &I.y, &I.z},
                                             &place.lightDisc,
                                             {&sum.x, &sum.y, &sum.z},
-                                            parts.measured.exact});
+                                            asked.measured.exact});
     return sum;
 }
 
-ProbedLight probedLight(const Light& light, std::size_t index, const Probe& probe, const Dissected& parts)
+ProbedLight probedLight(const Light& light, std::size_t index, const Probe& probe, const Asked& asked)
 {
     ProbedLight probed;
     probed.index = index;
@@ -89,11 +69,13 @@ ProbedLight probedLight(const Light& light, std::size_t index, const Probe& prob
     probed.R = mirrored(N, probed.L);
     probed.cosine = dot(N, probed.L);
     probed.mirrorCosine = dot(probed.R, probe.V);
-    const walked::Place place{N, probed.L, probe.V, probed.I, discOf(light), parts.measured.exact};
-    probed.value = shaded(*parts.model, parts, place);
-    probed.account = walked::accountOf(parts.tree, parts.values, place);
-    for (std::size_t i = 0; i < parts.terms.size(); ++i)
-        probed.terms.push_back({parts.terms[i].name, parts.terms[i].source, shaded(parts.alone[i], parts, place)});
+    const walked::Place place{N, probed.L, probe.V, probed.I, discOf(light), asked.measured.exact};
+    probed.value = shaded(*asked.model, asked, place);
+    probed.account = walked::accountOf(asked.parts->tree, asked.values, place);
+    for (std::size_t i = 0; i < asked.parts->alone.size(); ++i) {
+        const walked::Term& term = asked.parts->terms[i];
+        probed.terms.push_back({term.name, term.source, shaded(*asked.parts->alone[i], asked, place)});
+    }
     return probed;
 }
 
@@ -102,16 +84,16 @@ Vec3d radianceThere(const void* environment, const Vec3d& direction)
     return radianceFrom(*static_cast<const Environment*>(environment), direction);
 }
 
-void addSurroundings(const Scene& scene, const Dissected& parts, Probe& probe)
+void addSurroundings(const Scene& scene, const Asked& asked, Probe& probe)
 {
-    if (parts.model->exact.environment == nullptr || scene.environment.kind == EnvironmentKind::None)
+    if (asked.model->exact.environment == nullptr || scene.environment.kind == EnvironmentKind::None)
         return;
     const Vec3d& N = probe.point.N;
     const Vec3d& V = probe.V;
     const Vec3d before = probe.value;
     Vec3d& sum = probe.value;
-    parts.model->exact.environment(
-        parts.values.data(),
+    asked.model->exact.environment(
+        asked.values.data(),
         {1, {&N.x, &N.y, &N.z}, {&V.x, &V.y, &V.z}, {radianceThere, &scene.environment}, {&sum.x, &sum.y, &sum.z}});
     probe.surroundings = sum - before;
 }
@@ -187,12 +169,12 @@ std::optional<ProbedPoint> pointAt(const Mesh& mesh, const Camera& camera, doubl
 
 Probe probeAt(const Scene& scene, const ProbedPoint& point)
 {
-    const Dissected parts = dissected(scene);
+    const Asked asked = askedOf(scene);
     Probe probe;
     probe.point = point;
-    probe.model = parts.model->text.name;
-    probe.formula = parts.model->text.formula;
-    probe.convention = conventionOf(scene, *parts.model);
+    probe.model = asked.model->text.name;
+    probe.formula = asked.model->text.formula;
+    probe.convention = conventionOf(scene, *asked.model);
     const Vec3d toEye = scene.camera.eye - point.P;
     probe.V = normalized(toEye);
     probe.distance = length(toEye);
@@ -205,10 +187,10 @@ Probe probeAt(const Scene& scene, const ProbedPoint& point)
     for (const LightKind kind : {LightKind::Directional, LightKind::Point})
         for (std::size_t i = 0; i < lights.size(); ++i)
             if (lights[i].kind == kind) {
-                probe.lights.push_back(probedLight(lights[i], on[i], probe, parts));
+                probe.lights.push_back(probedLight(lights[i], on[i], probe, asked));
                 probe.value += probe.lights.back().value;
             }
-    addSurroundings(scene, parts, probe);
+    addSurroundings(scene, asked, probe);
     develop(scene.sensor, probe);
     return probe;
 }

@@ -46,6 +46,7 @@ struct ProbedLight {
 };
 
 struct Probe {
+    std::string name; ///< in a list of probes, "2 B"; empty: its number there
     ProbedPoint point;
     std::string model, formula; ///< for people
     std::string convention;     ///< of the numbers in K, in words; empty for a model without K

@@ -88,10 +88,11 @@ std::string probeCsv(const std::vector<Probe>& probes)
         for (const std::uint8_t code : probe.codes)
             codes += "," + std::to_string(code);
         for (const ProbedLight& light : probe.lights)
-            text += std::to_string(i + 1) + "," + general(probe.point.x, 17) + "," + general(probe.point.y, 17) + "," +
-                    field(probe.model) + "," + field(light.name) + csvOf(probe.point.P) + csvOf(probe.point.N) +
-                    csvOf(probe.V) + csvOf(light.L) + csvOf(light.I) + "," + general(light.cosine, 17) + "," +
-                    general(light.mirrorCosine, 17) + csvOf(light.value) + csvOf(probe.value) + codes + "\n";
+            text += (probe.name.empty() ? std::to_string(i + 1) : field(probe.name)) + "," +
+                    general(probe.point.x, 17) + "," + general(probe.point.y, 17) + "," + field(probe.model) + "," +
+                    field(light.name) + csvOf(probe.point.P) + csvOf(probe.point.N) + csvOf(probe.V) + csvOf(light.L) +
+                    csvOf(light.I) + "," + general(light.cosine, 17) + "," + general(light.mirrorCosine, 17) +
+                    csvOf(light.value) + csvOf(probe.value) + codes + "\n";
     }
     return text;
 }

@@ -36,6 +36,12 @@ foreach(variant B side wipe difference)
 endforeach()
 same(B.png side.png FALSE)
 
+render(sphere --size 40x40 --term specular --out term.png)
+render(term.png --out term_again.png)
+same(term.png term_again.png TRUE)
+render(term.png --term all --out whole.png)
+same(term.png whole.png FALSE)
+
 render(sphere --size 40x40 --lens float --out lens.png)
 render(lens.png --out lens_again.png)
 same(lens.png lens_again.png TRUE)

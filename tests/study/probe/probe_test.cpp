@@ -176,6 +176,9 @@ TEST(Probe, CsvHasARowForEachLight)
     const auto commas = [](std::string_view line) { return std::count(line.begin(), line.end(), ','); };
     EXPECT_EQ(commas(csv.substr(0, csv.find('\n'))), 30);
     EXPECT_EQ(commas(csv), 4 * 30);
+    Probe named = probeAt(view.scene, *point);
+    named.name = "2 B";
+    EXPECT_NE(probeCsv({named}).find("\n2 B,48,36,Phong,"), std::string::npos);
 }
 
 } // namespace

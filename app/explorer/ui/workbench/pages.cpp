@@ -5,6 +5,7 @@
 #include "app/explorer/ui/workbench/extremes_page.h"
 #include "app/explorer/ui/workbench/fit_page.h"
 #include "app/explorer/ui/workbench/laboratory_page.h"
+#include "app/explorer/ui/workbench/probe_page.h"
 #include "app/explorer/ui/workbench/sensor_page.h"
 #include "app/explorer/ui/workbench/surfaces_page.h"
 #include "app/explorer/ui/workbench/table_page.h"
@@ -33,6 +34,8 @@ std::span<const WorkbenchPage> workbenchPages()
          drawTradePage},
         {"laboratory", "Laboratory", "A rough surface traced facet by facet into a measured table, with its errors.",
          drawLaboratoryPage},
+        {"probe", "Probe", "One point of the picture, stage by stage with its numbers; and each term of it alone.",
+         drawProbePage},
     };
     return pages;
 }

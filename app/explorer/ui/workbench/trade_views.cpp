@@ -70,7 +70,7 @@ void bar(double share, ImU32 color, const std::string& text)
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight();
     const float width = std::max(0.0F, ImGui::GetContentRegionAvail().x);
-    const float labelWidth = points(84);
+    const float labelWidth = std::max(points(84), sizeIn(Face::Small, text).x + points(8));
     const float length = std::max(1.0F, static_cast<float>(std::clamp(share, 0.0, 1.0)) * (width - labelWidth));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(start, {start.x + length, start.y + height * 0.8F}, color, points(2));
@@ -156,7 +156,7 @@ void drawTradeTerms(const TradeStudy& study)
                 general(term.buys.perceived.deltaEMax, 3) + "; it costs " + general(term.milliseconds, 3) + " \u00B1 " +
                 general(term.spread, 2) + " ms.");
         bar(term.buys.perceived.deltaEP95 / mostSeen, onDark(seriesColor(0)),
-            general(term.buys.perceived.deltaEP95, 3) + " dE");
+            general(term.buys.perceived.deltaEP95, 3) + " dE, RMSE " + general(term.buys.rmse, 2));
         bar(term.milliseconds / mostTime, onDark(seriesColor(1)), general(term.milliseconds, 2) + " ms");
     }
 }
