@@ -5,6 +5,7 @@
 #include "app/explorer/frame_pace.h"
 #include "app/explorer/lab_runs.h"
 #include "app/explorer/pictures.h"
+#include "app/explorer/plot_polls.h"
 #include "app/explorer/preferences.h"
 #include "app/explorer/prices.h"
 #include "app/explorer/probe_view.h"
@@ -163,6 +164,17 @@ void saveAskedWindowPicture(Session& session)
     session.state.message = saved ? Message{"Window saved: " + *saved, false} : Message{saved.error().sentence(), true};
 }
 
+void saveAskedRegion(Session& session)
+{
+    const std::optional<WindowRegion> region = std::exchange(session.region, std::nullopt);
+    if (!region)
+        return;
+    const ViewSize framebuffer = session.window.framebuffer();
+    const float scale = static_cast<float>(framebuffer.width) / static_cast<float>(session.window.size().width);
+    const Result<std::string> saved = saveRegionPicture(session.state, *region, framebuffer, scale, Window::loader());
+    session.state.message = saved ? Message{"Saved: " + *saved, false} : Message{saved.error().sentence(), true};
+}
+
 void keepSession(Session& session)
 {
     session.autosave.watch(usersScene(session.state), Clock::now());
@@ -201,14 +213,19 @@ void drawOnce(Session& session)
     session.toOpen.insert(session.toOpen.end(), events.dropped.begin(), events.dropped.end());
     session.state.drawSoon = false;
     session.window.beginFrame();
+    session.state.takingPicture = session.region.has_value();
+    if (session.state.takingPicture) // no reading beside the mouse in the picture of a plot
+        ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
     drawInterface(session);
     session.window.drawFrame();
     saveAskedWindowPicture(session);
+    saveAskedRegion(session);
     session.window.showFrame();
     pollPrices(session);
     pollTrade(session);
     pollDifference(session);
     pollThumbnails(session);
+    pollPlots(session);
     serveRequests(session);
     pollFiles(session);
     tryNextHazard(session);
@@ -227,8 +244,9 @@ Reasons reasonsOf(const Session& session)
     const auto untilRefined = session.viewport.cameraMoved + restBeforeRefining(session.viewport) - Clock::now();
     const bool refine = session.viewport.refinementOwed && !session.viewport.dragging();
     return {
-        .animating = session.state.turntable || session.windowPicture.has_value() || session.state.extremes.running ||
-                     !session.tape.toPlay.empty() || (session.state.trade.running && !session.trades.steps.busy()),
+        .animating = session.state.turntable || session.windowPicture.has_value() || session.region.has_value() ||
+                     session.state.extremes.running || !session.tape.toPlay.empty() ||
+                     (session.state.trade.running && !session.trades.steps.busy()),
         .loading = session.state.loading.has_value() || !session.toOpen.empty() || session.state.fit.running ||
                    session.state.colour.object.running || session.state.lab.running,
         .drawSoon = session.state.drawSoon,

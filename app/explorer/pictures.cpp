@@ -3,12 +3,15 @@
 #include "app/explorer/shown_picture.h"
 #include "app/explorer/user_folders.h"
 #include "app/explorer/viewed_scene.h"
+#include "core/base/text.h"
 #include "core/image/picture_file.h"
 
 #include <GL/glcorearb.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 namespace reflectance::explorer {
@@ -66,7 +69,51 @@ PictureRecipe recipeOf(const ExplorerState& state, const Viewport& viewport)
     return recipe;
 }
 
+/// Rows `top` .. of a picture that is `width` wide.
+std::vector<std::uint8_t> cutOut(const std::vector<std::uint8_t>& rgb, int width, int left, int top, int wide, int high)
+{
+    std::vector<std::uint8_t> part;
+    for (int y = top; y < top + high; ++y) {
+        const auto begin = rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * width + left);
+        part.insert(part.end(), begin, begin + 3 * static_cast<std::ptrdiff_t>(wide));
+    }
+    return part;
+}
+
 } // namespace
+
+std::optional<WindowRegion> regionFrom(const std::string& name, const std::string& text)
+{
+    std::vector<float> numbers;
+    for (const std::string_view word : words(text))
+        if (const auto number = parseNumber(word))
+            numbers.push_back(static_cast<float>(*number));
+    if (numbers.size() != 4 || !(numbers[2] >= 1.0F) || !(numbers[3] >= 1.0F))
+        return std::nullopt;
+    return WindowRegion{name, numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+Result<std::string> saveRegionPicture(const ExplorerState& state, const WindowRegion& region, ViewSize framebuffer,
+                                      float scale, GetProcAddress load)
+{
+    const auto within = [scale](float at, int most) {
+        return std::clamp(static_cast<int>(std::lround(at * scale)), 0, most);
+    };
+    const int left = within(region.left, framebuffer.width),
+              right = within(region.left + region.width, framebuffer.width);
+    const int top = within(region.top, framebuffer.height),
+              bottom = within(region.top + region.height, framebuffer.height);
+    if (right <= left || bottom <= top)
+        return Error{"the plot is no longer in the window; open it and save it again"};
+    const std::vector<std::uint8_t> rgb =
+        cutOut(readFramebuffer(framebuffer, load), framebuffer.width, left, top, right - left, bottom - top);
+    const std::filesystem::path name = region.name;
+    const std::string path =
+        freeName(picturesFolder(), state.scene.mesh->name, name.stem().string(), name.extension().string()).string();
+    if (const Result<void> written = writePng(path, right - left, bottom - top, rgb, {}, {}); !written)
+        return written.error();
+    return path;
+}
 
 Result<std::string> saveViewPicture(const ExplorerState& state, const Viewport& viewport, GlRenderer& renderer,
                                     SecondView& second, const std::string& path)

@@ -5,9 +5,24 @@
 #include "app/explorer/viewport.h"
 #include "core/base/result.h"
 
+#include <optional>
 #include <string>
 
 namespace reflectance::explorer {
+
+/// A part of the window, in pixels of the interface, and the name of a file for it, such as "curves.png".
+struct WindowRegion {
+    std::string name;
+    float left = 0.0F, top = 0.0F, width = 0.0F, height = 0.0F;
+};
+
+/// "left top width height"; nothing where they are not four numbers or hold no pixel.
+[[nodiscard]] std::optional<WindowRegion> regionFrom(const std::string& name, const std::string& text);
+
+/// That part of the window as it has just been drawn, under a free name in the user's pictures folder. `scale`: pixels of the
+/// framebuffer per pixel of the interface. Returns the path.
+[[nodiscard]] Result<std::string> saveRegionPicture(const ExplorerState& state, const WindowRegion& region,
+                                                    ViewSize framebuffer, float scale, GetProcAddress load);
 
 /// The view with all its samples, without handles: read back as linear values and put through the sensor on the CPU.
 /// While two variants are compared, what is seen of them. An empty path takes a free name in the user's pictures folder.

@@ -164,6 +164,9 @@ void serve(Session& session, const Request& request)
     case Kind::SaveText:
         saveText(session, request.path, request.text);
         break;
+    case Kind::SaveRegion:
+        session.region = regionFrom(request.path, request.text);
+        break;
     case Kind::OpenText:
         openText(session, request);
         break;

@@ -6,6 +6,8 @@
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/own_models.h"
 #include "app/explorer/probes.h"
+#include "app/explorer/pictures.h"
+#include "app/explorer/screen_texture.h"
 #include "app/explorer/second_view.h"
 #include "app/explorer/stand_in.h"
 #include "app/explorer/state.h"
@@ -45,6 +47,9 @@ struct Session {
     Worker<std::vector<Thumbnail>> thumbnails{Window::wake};
     std::map<std::string, ScreenTexture> thumbnailTextures; ///< by surface id
     Scene thumbnailLight;                                   ///< under whose lights the thumbnails were made last
+    Worker<PlotAnswer> plots{Window::wake};
+    std::map<PlotTab, ScreenTexture> plotTextures;
+    std::optional<WindowRegion> region; ///< of the window, to be saved as the next frame shows it
     Autosave autosave{stateFolder()};
     OwnModelWatch ownModels;
     Probes probes;

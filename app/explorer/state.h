@@ -12,6 +12,7 @@
 #include "app/explorer/lab_study.h"
 #include "app/explorer/object_price.h"
 #include "app/explorer/probe_study.h"
+#include "app/explorer/plot_study.h"
 #include "app/explorer/sensor_study.h"
 #include "app/explorer/stand_in.h"
 #include "app/explorer/surface_shelf.h"
@@ -21,7 +22,6 @@
 #include "core/scene/scene.h"
 #include "core/sensor/sensor.h"
 #include "core/spectra/color_study.h"
-#include "core/study/curves.h"
 #include "core/study/lens/gl_check.h"
 #include "core/study/lens/term.h"
 #include "core/study/price_tag.h"
@@ -45,6 +45,7 @@ struct Request {
         ResetView,
         ResetScene,
         SaveText,
+        SaveRegion,
         OpenText,
         FitText,
         CancelLoading,
@@ -61,7 +62,8 @@ struct Request {
     /// OpenFile: a mesh, scene, environment or measurement, told apart by its ending. SaveView, SaveWindow and SaveScene: empty
     /// chooses a name in the pictures folder (a scene goes back to the file that it came from). Dismiss: an earlier
     /// session; OpenFile restores it. SaveText: a name such as "curves.svg", made unique in the pictures folder.
-    /// OpenText, FitText: the same, and the file is opened, or Oren-Nayar is fitted to it.
+    /// SaveRegion: the same of a part of the window as the next frame shows it, a name such as "curves.png"; `text` holds its
+    /// left, top, width and height in pixels of the interface. OpenText, FitText: the same as SaveText, and the file is opened, or Oren-Nayar is fitted to it.
     /// TogglePage: the number of a page of the workbench, from 0. GoToStep: an index into the history's
     /// steps. ShowTour: the number of a step of the tour; empty for the last one seen.
     std::string path;
@@ -99,13 +101,6 @@ struct EarlierSession {
     std::string content;    ///< "mug, hybrid, 2 lights"; empty where the file cannot be read
     std::string when;       ///< "5 minutes ago"
     bool dismissed = false; ///< no longer offered; the Open menu has it until the program ends
-};
-
-/// The workbench's page of curves.
-struct CurvesPage {
-    double thetaI = 40.0;              ///< degrees
-    CurveSettings settings;            ///< its thetaI follows
-    std::vector<std::string> overlays; ///< ids of models beside the current one
 };
 
 /// The workbench's page of colour: the question, and what was found for it.
@@ -171,6 +166,7 @@ struct ExplorerState {
 
     // Between the panels and the frame loop.
     PanelMemory panels;
+    bool takingPicture = false; ///< this frame is kept as the picture of a plot: no button in it
     bool drawSoon = false; ///< a panel waits for time to pass (tooltip, text cursor): draw again within 0.1 s
 };
 

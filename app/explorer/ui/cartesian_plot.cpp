@@ -115,7 +115,10 @@ void drawGuides(ImDrawList& list, const Field& field)
         } else {
             const float y = std::round(field.y(guide.at));
             list.AddLine({field.low.x, y}, {field.high.x, y}, palette::quiet);
-            plotText(list, field.high.x - points(4), y - points(8), TextAnchor::Right, guide.label, palette::text);
+            // At the top there is no room above the line, and the legend stands at its right end.
+            const bool high = y - field.low.y < points(18);
+            plotText(list, high ? field.low.x + points(6) : field.high.x - points(4), y + points(high ? 9.0F : -8.0F),
+                     high ? TextAnchor::Left : TextAnchor::Right, guide.label, palette::text);
         }
 }
 
@@ -128,14 +131,23 @@ std::vector<PlotEntry> legendOf(const Chart& chart)
     return entries;
 }
 
-void readSeries(const Chart& chart, double x)
+/// A dot on every curve at the mouse's x, a ring about the one that is nearest; their values float beside the mouse.
+void readSeries(ImDrawList& list, const Field& field, double x, float mouseY)
 {
+    const Chart& chart = field.chart;
     std::vector<PlotEntry> entries;
+    std::vector<ImVec2> dots;
     for (const Series& series : chart.series) {
         const double value = series.mark == Mark::Dots ? std::nan("") : readAt(series.x, series.y, x);
-        if (std::isfinite(value))
-            entries.push_back({onDark(series.color), general(value, 5) + "  " + series.name});
+        if (!std::isfinite(value))
+            continue;
+        const double spread = readAt(series.x, series.spread, x);
+        entries.push_back(
+            {onDark(series.color),
+             general(value, 5) + (std::isfinite(spread) ? " \u00B1 " + general(spread, 2) : "") + "  " + series.name});
+        dots.emplace_back(field.x(x), field.y(value));
     }
+    markReadings(list, entries, dots, {field.x(x), mouseY});
     showReading(chart.x.label.substr(0, chart.x.label.find(' ')) + " = " + general(x, 4), entries);
 }
 
@@ -171,7 +183,7 @@ PlotHover drawPlot(const char* id, const Chart& chart, ImVec2 size)
     const PlotHover hover{true, valueAlong(chart.x, (mouse.x - field.low.x) / (field.high.x - field.low.x)),
                           valueAlong(chart.y, (field.high.y - mouse.y) / (field.high.y - field.low.y))};
     list.AddLine({mouse.x, field.low.y}, {mouse.x, field.high.y}, palette::accent);
-    readSeries(chart, hover.x);
+    readSeries(list, field, hover.x, mouse.y);
     return hover;
 }
 

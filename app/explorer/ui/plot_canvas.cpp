@@ -53,6 +53,21 @@ void showReading(const std::string& heading, const std::vector<PlotEntry>& entri
     ImGui::EndTooltip();
 }
 
+void markReadings(ImDrawList& list, std::vector<PlotEntry>& entries, std::vector<ImVec2>& places, ImVec2 mouse)
+{
+    const auto apart = [mouse](ImVec2 p) { return std::hypot(p.x - mouse.x, p.y - mouse.y); };
+    const auto nearest =
+        std::min_element(places.begin(), places.end(), [&](ImVec2 a, ImVec2 b) { return apart(a) < apart(b); });
+    if (nearest == places.end())
+        return;
+    const auto index = nearest - places.begin();
+    std::rotate(places.begin(), places.begin() + index, places.begin() + index + 1);
+    std::rotate(entries.begin(), entries.begin() + index, entries.begin() + index + 1);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        list.AddCircleFilled(places[i], points(2.6F), entries[i].color, 12);
+    list.AddCircle(places.front(), points(5), entries.front().color, 16, points(1.4F));
+}
+
 ImU32 onDark(ChartColor color, float opacity)
 {
     const auto channel = [color](int shift) { return static_cast<float>((color >> shift) & 0xFFU); };

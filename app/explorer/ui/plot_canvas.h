@@ -26,6 +26,9 @@ void drawLegend(ImDrawList& list, ImVec2 upperRight, const std::vector<PlotEntry
 /// A floating list beside the mouse, headed by where it is.
 void showReading(const std::string& heading, const std::vector<PlotEntry>& entries);
 
+/// Moves the entry whose place is nearest to the mouse to the top, and marks all places, that one with a ring.
+void markReadings(ImDrawList& list, std::vector<PlotEntry>& entries, std::vector<ImVec2>& places, ImVec2 mouse);
+
 inline constexpr const char* readingHint = "Move the mouse over the curves to read their values.";
 
 enum class TextAnchor { Left, Centre, Right };

@@ -83,14 +83,18 @@ void drawCurve(ImDrawList& list, const PolarChart& chart, const PolarChart::Curv
     }
 }
 
-void readCurves(const PolarChart& chart, double angle)
+void readCurves(ImDrawList& list, const PolarChart& chart, const Disc& disc, double angle, ImVec2 mouse)
 {
     std::vector<PlotEntry> entries;
+    std::vector<ImVec2> dots;
     for (const PolarChart::Curve& curve : chart.curves) {
         const double radius = readAt(curve.angle, curve.radius, angle);
-        if (std::isfinite(radius))
-            entries.push_back({onDark(curve.color), general(radius, 5) + "  " + curve.name});
+        if (!std::isfinite(radius))
+            continue;
+        entries.push_back({onDark(curve.color), general(radius, 5) + "  " + curve.name});
+        dots.push_back(disc.at(angle, radius / chart.largest));
     }
+    markReadings(list, entries, dots, mouse);
     showReading("\u03B8_r = " + general(angle * 180.0 / std::numbers::pi, 4) + "\u00B0", entries);
 }
 
@@ -134,7 +138,7 @@ PlotHover drawPlot(const char* id, const PolarChart& chart, ImVec2 size, bool na
     }
     const double angle = std::atan2(static_cast<double>(dx), static_cast<double>(dy));
     list.AddLine(disc.centre, disc.at(angle, 1.0), palette::accent);
-    readCurves(chart, angle);
+    readCurves(list, chart, disc, angle, mouse);
     return {true, angle, chart.largest * static_cast<double>(std::hypot(dx, dy) / disc.radius)};
 }
 

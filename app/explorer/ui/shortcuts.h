@@ -7,7 +7,7 @@
 namespace reflectance::explorer {
 
 struct Shortcut {
-    const char* group;   ///< "View", "Lights", "Values", "Compare", "Program"
+    const char* group;   ///< "View", "Lights", "Values", "Plots", "Compare", "Program"
     const char* gesture; ///< "Ctrl+Shift+drag"
     const char* effect;  ///< one short sentence
 };
@@ -36,6 +36,8 @@ inline constexpr Shortcut shortcutTable[] = {
     {"Values", "M, Shift+M", "next or previous model; values stay"},
     {"Values", "Tab, arrow keys, Space", "reach and change controls without the mouse"},
     {"Values", "Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y", "undo, redo; the arrow beside them lists every step"},
+    {"Plots", "move over a plot", "read its values; Save in its corner writes SVG, PNG or CSV"},
+    {"Plots", "drag a lobe", "turn the lobes of the page Curves"},
     {"Compare", "C", "two surfaces A and B, or one again"},
     {"Compare", "X", "the hand from A to B and back; flips the picture in Flip"},
     {"Compare", "Ctrl+drag, Ctrl+click", "take the figures in a rectangle, over the whole object again"},

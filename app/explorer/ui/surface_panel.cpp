@@ -7,6 +7,7 @@
 #include "app/explorer/ui/variant_rows.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/base/text.h"
+#include "core/study/exports/export_model.h"
 
 #include <algorithm>
 #include <array>
@@ -154,6 +155,27 @@ void drawKeptValues(const ModelText& model, const ParameterValues& values)
             remark(kept(entry));
 }
 
+/// The surface in hand as code and as a table for other programs.
+void exportButton(ExplorerState& state)
+{
+    const Surface& surface = surfaceInHand(state.compare, state.scene);
+    const Model& model = modelOf(surface);
+    if (ImGui::Button("Export as GLSL, C++ and CSV", {-1, 0}))
+        for (const ExportFormFacts& form : exportForms()) {
+            const auto text = exported(
+                {&model, flatValues(model.text, surface.values), lookUpsIn(surface.table.get()), surface.tableFile},
+                form.form);
+            if (text)
+                state.requests.push_back(
+                    {Request::Kind::SaveText, model.id() + std::string(form.ending), text.value()});
+            else
+                state.message = Message{text.error().sentence(), true};
+        }
+    tooltip("The model with these parameters as a GLSL function, a C++17 header and a table, into the pictures folder. "
+            "Each "
+            "carries test vectors with what double gives and a tolerance, and the code checks itself by them.");
+}
+
 } // namespace
 
 void drawSurfacePanel(ExplorerState& state)
@@ -174,6 +196,7 @@ void drawSurfacePanel(ExplorerState& state)
         parameterRows(model, parameter, state);
     drawKeptValues(model, surfaceInHand(state.compare, state.scene).values);
     variantRows(state);
+    exportButton(state);
 }
 
 } // namespace reflectance::explorer

@@ -1,7 +1,7 @@
 #include "app/explorer/ui/workbench/colour_page.h"
 
 #include "app/explorer/ui/number_row.h"
-#include "app/explorer/ui/plot.h"
+#include "app/explorer/ui/savable_plot.h"
 #include "app/explorer/ui/widgets.h"
 #include "app/explorer/ui/workbench/colour_views.h"
 #include "core/base/text.h"
@@ -206,7 +206,7 @@ void drawColourPage(ExplorerState& state)
     const float chartWidth = plotFits ? std::min(1.2F * room.y, 0.34F * room.x) : room.x - matrixWidth - points(10);
     if (plotFits) {
         const float plotWidth = room.x - chartWidth - matrixWidth - points(20);
-        drawPlot("spectra", spectraChart(*page.answer, page.patch), {plotWidth, room.y});
+        savablePlot("spectra", spectraChart(*page.answer, page.patch), {plotWidth, room.y}, state);
         ImGui::SameLine();
     }
     drawDerivedMatrix(page, {matrixWidth, room.y});

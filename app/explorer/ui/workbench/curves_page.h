@@ -1,4 +1,5 @@
-// The surface as curves: polar in the plane of incidence, and over the viewing angle, beside other models of the catalogue.
+// The surface as plots, beside B and other models: curves, polar, lobes in space, lit balls, albedo, a wedge of one parameter,
+// and a map over both angles.
 #pragma once
 
 #include "app/explorer/state.h"
@@ -6,8 +7,5 @@
 namespace reflectance::explorer {
 
 void drawCurvesPage(ExplorerState& state);
-
-/// The current surface first, then those laid over it, each with the parameters that the scene keeps for it.
-[[nodiscard]] std::vector<NamedSurface> shownSurfaces(const ExplorerState& state);
 
 } // namespace reflectance::explorer

@@ -1,7 +1,7 @@
 #include "app/explorer/ui/workbench/fit_page.h"
 
 #include "app/explorer/ui/number_row.h"
-#include "app/explorer/ui/plot.h"
+#include "app/explorer/ui/savable_plot.h"
 #include "app/explorer/ui/widgets.h"
 #include "app/explorer/ui/workbench/photograph_view.h"
 #include "core/base/text.h"
@@ -191,13 +191,14 @@ void drawControls(ExplorerState& state)
     ImGui::EndChild();
 }
 
-void drawCurve(const FitStudy& study, const FitOutcome& outcome)
+void drawCurve(ExplorerState& state, const FitOutcome& outcome)
 {
+    const FitStudy& study = state.fit;
     const Model& model = **findModel(outcome.wish.model);
-    drawPlot("plane",
-             chartInPlane(outcome.measurement, model, flatValues(model.text, outcome.fit.values), radians(study.thetaI),
-                          outcome.wish.cosine),
-             ImGui::GetContentRegionAvail());
+    savablePlot("fit",
+                chartInPlane(outcome.measurement, model, flatValues(model.text, outcome.fit.values),
+                             radians(study.thetaI), outcome.wish.cosine),
+                ImGui::GetContentRegionAvail(), state);
 }
 
 } // namespace
@@ -221,7 +222,7 @@ void drawFitPage(ExplorerState& state)
     if (state.fit.wish.fromPicture)
         drawPhotograph(state.fit, ImGui::GetContentRegionAvail());
     else if (isShown)
-        drawCurve(state.fit, *outcome);
+        drawCurve(state, *outcome);
     else
         remark("Name a measured file, choose a model, and fit. The curve then lies over the data, and one click gives "
                "the scene's surface what was found.");

@@ -2,7 +2,7 @@
 
 #include "app/explorer/ui/number_row.h"
 #include "app/explorer/ui/parameter_rows.h"
-#include "app/explorer/ui/plot.h"
+#include "app/explorer/ui/savable_plot.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/base/text.h"
 #include "core/math/angle.h"
@@ -247,11 +247,11 @@ void drawLaboratoryPage(ExplorerState& state)
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool both = room.x > points(560);
     const float width = both ? 0.5F * room.x : room.x;
-    drawPlot("lobe", lobeChart(*run, "traced", incidence, formulas), {width, room.y}, !both);
+    savablePlot("lobe", lobeChart(*run, "traced", incidence, formulas), {width, room.y}, state, !both);
     if (!both)
         return;
     ImGui::SameLine();
-    drawPlot("plane", planeChart(*run, "traced", incidence, formulas), ImGui::GetContentRegionAvail());
+    savablePlot("plane", planeChart(*run, "traced", incidence, formulas), ImGui::GetContentRegionAvail(), state);
 }
 
 } // namespace reflectance::explorer

@@ -16,7 +16,7 @@ namespace reflectance::explorer {
 std::span<const WorkbenchPage> workbenchPages()
 {
     static constexpr WorkbenchPage pages[] = {
-        {"curves", "Curves", "The surface as curves in the plane of incidence, beside other models.", drawCurvesPage},
+        {"curves", "Curves", "The surface beside other models: curves, lobes in space, lit balls, albedo, one parameter varied, a map.", drawCurvesPage},
         {"surfaces", "Surfaces", "Published constants of real surfaces, with their sources; a click applies one.",
          drawSurfacesPage},
         {"table", "Table", "A measured surface as a map over both angles, with its holes and its reciprocity.",

@@ -1,7 +1,7 @@
 #include "app/explorer/ui/workbench/table_page.h"
 
 #include "app/explorer/ui/number_row.h"
-#include "app/explorer/ui/plot.h"
+#include "app/explorer/ui/savable_plot.h"
 #include "app/explorer/ui/table_rows.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/base/text.h"
@@ -68,8 +68,10 @@ bool whatRows(TablePage& page)
 {
     static constexpr Choice what[] = {
         {"values", "The measured f in 1/sr."},
-        {"reciprocity", "f(i,r) \u2212 f(r,i): what exchanging light and viewer changes. A reciprocal surface is grey all over."}};
-    static constexpr Choice scales[] = {{"linear", "Values on a linear scale."}, {"log", "Values on a logarithmic scale."}};
+        {"reciprocity",
+         "f(i,r) \u2212 f(r,i): what exchanging light and viewer changes. A reciprocal surface is grey all over."}};
+    static constexpr Choice scales[] = {{"linear", "Values on a linear scale."},
+                                        {"log", "Values on a logarithmic scale."}};
     int chosen = 0;
     bool changed = choose("what", what, page.residual ? 1 : 0, chosen);
     if (changed)
@@ -87,22 +89,11 @@ void drawFacts(const std::optional<TableFacts>& facts)
         remark("Measuring reciprocity and interpolation\u2026");
         return;
     }
-    remark("Reciprocity up to " + general(reciprocityLimit, 3) + "\u00B0: " + general(100.0 * facts->reciprocity.rms, 3) + " % rms, worst " +
+    remark("Reciprocity up to " + general(reciprocityLimit, 3) +
+           "\u00B0: " + general(100.0 * facts->reciprocity.rms, 3) + " % rms, worst " +
            general(100.0 * facts->reciprocity.worst, 3) + " % of the largest f");
     for (const LeftOut& along : facts->leftOut)
         remark("Left out along " + along.along + ": " + general(100.0 * along.rms, 3) + " % rms");
-}
-
-void exportRow(ExplorerState& state, const HeatMap& map)
-{
-    const float width = (ImGui::GetContentRegionAvail().x - points(4)) / 2;
-    if (ImGui::Button("Save SVG", {width, 0}))
-        state.requests.push_back({Request::Kind::SaveText, "table.svg", svgOf(map, 760, 560)});
-    tooltip("The map as a drawing, into the pictures folder.");
-    ImGui::SameLine(0, points(4));
-    if (ImGui::Button("Save CSV", {width, 0}))
-        state.requests.push_back({Request::Kind::SaveText, "table.csv", csvOf(map)});
-    tooltip("The map's numbers, into the pictures folder.");
 }
 
 /// The light goes where the clicked cell is met.
@@ -123,7 +114,7 @@ void drawPlots(ExplorerState& state)
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool both = room.x > points(460);
     const float width = both ? std::min(1.35F * room.y, 0.56F * room.x) : room.x;
-    const PlotHover hover = drawPlot("map", page.map, {width, room.y});
+    const PlotHover hover = savablePlot("table", page.map, {width, room.y}, state);
     if (hover.inside) {
         page.cursor = {std::clamp(hover.y, 0.0, 89.9), std::clamp(hover.x, 0.0, 89.9)};
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
@@ -132,7 +123,8 @@ void drawPlots(ExplorerState& state)
     if (!both)
         return;
     ImGui::SameLine();
-    drawPlot("slice", polarSlice(page.shown->table, page.cursor.thetaI, page.settings), ImGui::GetContentRegionAvail());
+    savablePlot("slice", polarSlice(page.shown->table, page.cursor.thetaI, page.settings),
+                ImGui::GetContentRegionAvail(), state);
 }
 
 } // namespace
@@ -147,9 +139,9 @@ void drawTablePage(ExplorerState& state)
         changed |= whatRows(page);
         changed |= azimuthRow(page, state.message);
         changed |= channelRows(table->table, page.settings);
-        exportRow(state, page.map);
         drawFacts(page.facts);
-        remark("A click on the map moves the selected light: a point that is tilted \u03B8_r from you, to the right, is then "
+        remark("A click on the map moves the selected light: a point that is tilted \u03B8_r from you, to the right, "
+               "is then "
                "lit at \u03B8_i.");
     } else {
         tableChooser(state);

@@ -210,7 +210,7 @@ void drawTradePage(ExplorerState& state)
                             "A click shows its picture.");
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float plotWidth = std::max(points(160), room.x - points(detailWidth));
-    drawTradeChart(study, {plotWidth, room.y});
+    drawTradeChart(state, {plotWidth, room.y});
     ImGui::SameLine();
     drawDetail(study);
 }

@@ -1,7 +1,7 @@
 #include "app/explorer/ui/workbench/trade_views.h"
 
 #include "app/explorer/ui/numerals.h"
-#include "app/explorer/ui/plot.h"
+#include "app/explorer/ui/savable_plot.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/base/text.h"
 #include "core/study/trade/trade_chart.h"
@@ -80,8 +80,9 @@ void bar(double share, ImU32 color, const std::string& text)
 
 } // namespace
 
-void drawTradeChart(TradeStudy& study, ImVec2 size)
+void drawTradeChart(ExplorerState& state, ImVec2 whole)
 {
+    TradeStudy& study = state.trade;
     const Trade& trade = *study.trade;
     Chart chart = chartOf(trade, study.byTime ? std::optional<double>() : study.tolerance, false);
     if (study.byTime)
@@ -96,7 +97,8 @@ void drawTradeChart(TradeStudy& study, ImVec2 size)
         ring.y = {at.error};
         chart.series.push_back(ring);
     }
-    const PlotHover hover = drawPlot("trade", chart, size);
+    const ImVec2 size{whole.x, whole.y - plotHeadingHeight()};
+    const PlotHover hover = savablePlot("trade", chart, whole, state);
     dragTolerance(study, chart, hover, size.y);
     if (!hover.inside || study.holdsTolerance)
         return;

@@ -7,8 +7,8 @@
 
 namespace reflectance::explorer {
 
-/// Takes `size` pixels. A click on a dot selects its candidate, the tolerance line can be dragged.
-void drawTradeChart(TradeStudy& study, ImVec2 size);
+/// Takes that much with its heading. A click on a dot selects its candidate, the tolerance line can be dragged.
+void drawTradeChart(ExplorerState& state, ImVec2 whole);
 
 /// Figures of one candidate, and what it gives up.
 void drawTradeCandidate(const TradeStudy& study);
