@@ -7,7 +7,8 @@ namespace {
 
 bool mayLieTogether(const Mesh& a, const Mesh& b)
 {
-    const auto [fewer, more] = std::minmax(a.triangles.size(), b.triangles.size());
+    const std::size_t fewer = std::min(a.triangles.size(), b.triangles.size());
+    const std::size_t more = std::max(a.triangles.size(), b.triangles.size());
     return fewer <= more / 4;
 }
 
