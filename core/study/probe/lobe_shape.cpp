@@ -11,6 +11,8 @@ namespace reflectance {
 namespace {
 
 constexpr int meridianStep = 30, ringStep = 15, fineStep = 3, turn = 360, horizon = 90;
+/// At the horizon itself some formulas jump, and some (Ward's) have no bound.
+constexpr double farthestTheta = 89.5;
 /// A highlight of n = 1000 falls to its half within 2 degrees.
 constexpr double finest = 0.1, fineReach = 6.0;
 
@@ -39,12 +41,14 @@ Frame frameAt(const Vec3d& N, const Vec3d& L)
 std::vector<double> planeAngles(double thetaOfL)
 {
     std::vector<double> angles;
-    for (int i = -horizon; i <= horizon; ++i)
+    for (int i = 1 - horizon; i < horizon; ++i)
         angles.push_back(i);
+    angles.push_back(-farthestTheta);
+    angles.push_back(farthestTheta);
     for (double off = -fineReach; off <= fineReach; off += finest)
-        if (const double angle = off - thetaOfL; std::fabs(angle) < horizon)
+        if (const double angle = off - thetaOfL; std::fabs(angle) < farthestTheta)
             angles.push_back(angle);
-    angles.push_back(-thetaOfL);
+    angles.push_back(-std::min(thetaOfL, farthestTheta));
     std::ranges::sort(angles);
     return angles;
 }
@@ -62,7 +66,7 @@ LobeShape lobeShape(const Scene& scene, const Probe& probe, std::size_t light, d
     for (int phi = 0; phi < turn; phi += meridianStep) {
         auto& line = lines.emplace_back();
         for (int theta = 0; theta <= horizon; theta += fineStep)
-            line.push_back(frame.direction(theta, phi));
+            line.push_back(frame.direction(std::min<double>(theta, farthestTheta), phi));
     }
     for (int theta = ringStep; theta < horizon; theta += ringStep) {
         auto& line = lines.emplace_back();

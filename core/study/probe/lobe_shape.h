@@ -11,7 +11,7 @@ namespace reflectance {
 struct LobeShape {
     std::vector<std::vector<Vec3d>> wires; ///< half circles through N and circles about it, every 30 and 15 degrees
     std::vector<Vec3d>
-        inPlane;          ///< of N and L, from the horizon beside R to the one beside L; every degree, finer about R
+        inPlane; ///< of N and L, from beside R to beside L, half a degree above the horizon at both ends; every degree, finer about R
     double largest = 0.0; ///< of the factor, mean of its channels, for white light; 0: nothing is drawn
 };
 

@@ -31,6 +31,12 @@ ExplorerState comparedState()
     return state;
 }
 
+std::string clipboard()
+{
+    const char* text = ImGui::GetClipboardText();
+    return text ? text : "";
+}
+
 class ProbePage : public testing::TestWithParam<float> {
 protected:
     Stage::Draw drawn()
@@ -75,8 +81,8 @@ TEST_P(ProbePage, CopiesTheCoresText)
 {
     const std::string text = textOf(*state.probe.found());
     const std::string csv = probeCsv(listed(state.probe));
-    clickUntil([&] { return std::string(ImGui::GetClipboardText()) == text; });
-    clickUntil([&] { return std::string(ImGui::GetClipboardText()) == csv; });
+    clickUntil([&] { return clipboard() == text; });
+    clickUntil([&] { return clipboard() == csv; });
 }
 
 TEST_P(ProbePage, SavesTheTableAndShowsATermAlone)
@@ -121,6 +127,7 @@ TEST(ProbeCard, OpensThePageAndPins)
     for (float x = 300.0F; x > 100.0F && state.probe.loose; x -= 8.0F)
         for (float y = 150.0F; y < 300.0F && state.probe.loose; y += 8.0F)
             stage.click({x, y}, draw);
+    examine(state, state.scene, view); // as the frame loop does
     for (float x = 100.0F; x < 300.0F && state.preferences.workbenchPage.empty(); x += 8.0F)
         for (float y = 150.0F; y < 300.0F && state.preferences.workbenchPage.empty(); y += 8.0F)
             stage.click({x, y}, draw);

@@ -13,6 +13,8 @@ namespace {
 
 constexpr float widestControls = 196.0F, narrowestControls = 160.0F, narrowestColumn = 210.0F;
 
+constexpr const char* scrollHint = "Drag, or turn the wheel, for what lies above and below.";
+
 void detailRow(ProbeStudy& study)
 {
     static constexpr Choice details[] = {
@@ -141,6 +143,7 @@ void drawStages(ProbeStudy& study, const FoundProbe& found)
         drawProbedSurface(study, probe);
         ImGui::Separator();
         sensors(found);
+        scrollBarTooltip(scrollHint);
         ImGui::EndChild();
         return;
     }
@@ -158,6 +161,7 @@ void drawStages(ProbeStudy& study, const FoundProbe& found)
             drawProbedSurface(study, probe);
         else
             sensors(found);
+        scrollBarTooltip(scrollHint);
         ImGui::EndChild();
         ImGui::PopID();
     }
@@ -186,12 +190,14 @@ void drawProbePage(ExplorerState& state)
         pointControls(state);
     else
         drawTermChoices(state);
+    scrollBarTooltip(scrollHint);
     ImGui::EndChild();
     ImGui::SameLine(0, points(12));
     if (study.detail == ProbeDetail::Point)
         return drawPoint(study);
     ImGui::BeginChild("bars", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     drawTermBars(state);
+    scrollBarTooltip(scrollHint);
     ImGui::EndChild();
 }
 
