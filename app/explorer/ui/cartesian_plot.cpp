@@ -27,10 +27,10 @@ struct Field {
 /// What of an axis's label there is room for: first what follows the semicolon goes.
 std::string labelWithin(const std::string& label, float width)
 {
-    const std::size_t remark = label.find(';');
+    const std::size_t clause = label.find(';');
     ImGui::PushFont(face(Face::Small));
-    const std::string shown = sizeIn(Face::Small, label).x > width && remark != std::string::npos
-                                  ? elided(label.substr(0, remark) + ")", width)
+    const std::string shown = sizeIn(Face::Small, label).x > width && clause != std::string::npos
+                                  ? elided(label.substr(0, clause) + ")", width)
                                   : elided(label, width);
     ImGui::PopFont();
     return shown;
