@@ -27,6 +27,8 @@ Result<ExportForm> formFrom(const ExportOptions& options)
             return facts.form;
     if (const auto form = formForFile(options.out))
         return *form;
+    if (options.out.empty())
+        return Error{"nothing says which form; add --as glsl, cpp or csv"};
     return Error{"the ending of '" + options.out + "' tells no form; add --as glsl, cpp or csv"};
 }
 

@@ -10,7 +10,8 @@ using Corners = std::array<LobePoint, 4>;
 
 double distanceOf(double radius, double largest)
 {
-    return std::isfinite(radius) && radius > 0.0 ? radius / largest : 0.0;
+    constexpr double furthest = 1.15; // of the rim
+    return std::isfinite(radius) && radius > 0.0 ? std::min(radius / largest, furthest) : 0.0;
 }
 
 /// The cosine between a facet's face and the line of sight, from its diagonals.

@@ -12,7 +12,7 @@
 namespace reflectance {
 
 /// Angles in radians: theta from the normal (z), phi from +x, where the light's side is phi = pi. Each lobe has a radius for
-/// every pair, theta by theta; what is negative or no number is drawn as 0.
+/// every pair, theta by theta; what is negative or no number is drawn as 0, what leaves the rim far behind is cut there.
 struct LobeChart {
     struct Lobe {
         std::string name;

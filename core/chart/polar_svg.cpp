@@ -84,7 +84,9 @@ std::string svgOf(const PolarChart& chart, int width, int height)
     }
     double y = disc.y + 46;
     for (const PolarChart::Curve& curve : chart.curves) {
+        svg.clipTo(disc.x - 1.2 * disc.radius, disc.y - 1.2 * disc.radius, 2.4 * disc.radius, 1.2 * disc.radius + 6);
         drawCurve(svg, chart, curve, disc);
+        svg.endClip();
         svg.line(24, y, 42, y, {curve.color, 1.8, curve.faint ? 0.35 : 1.0});
         svg.text(48, y + 4, curve.name, Anchor::Start, 11);
         y += 16;

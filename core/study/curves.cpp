@@ -18,6 +18,11 @@ std::string degreesText(double radians)
 
 } // namespace
 
+bool setsTheScale(double theta, double thetaI)
+{
+    return std::fabs(theta) <= 85.0 * pi / 180.0 || std::fabs(theta - thetaI) < 2.0 * pi / 180.0;
+}
+
 Vec3d directionInPlane(double theta)
 {
     return {std::sin(theta), 0.0, std::cos(theta)};
@@ -104,7 +109,9 @@ Chart overTheta(const std::vector<NamedSurface>& surfaces, const CurveSettings& 
         series.color = surface.color;
         series.x = degrees;
         series.y = inPlane(surface, settings, angles);
-        all.insert(all.end(), series.y.begin(), series.y.end());
+        for (std::size_t i = 0; i < angles.size(); ++i)
+            if (setsTheScale(angles[i], settings.thetaI))
+                all.push_back(series.y[i]);
         chart.series.push_back(std::move(series));
     }
     if (settings.scale == AxisScale::Log) // what underflows must not stretch the axis over 300 decades
@@ -129,9 +136,9 @@ PolarChart aboutThePoint(const std::vector<NamedSurface>& surfaces, const CurveS
         curve.color = surface.color;
         curve.angle = angles;
         curve.radius = inPlane(surface, settings, angles);
-        for (const double radius : curve.radius)
-            if (std::isfinite(radius))
-                largest = std::max(largest, radius);
+        for (std::size_t i = 0; i < angles.size(); ++i)
+            if (std::isfinite(curve.radius[i]) && setsTheScale(angles[i], settings.thetaI))
+                largest = std::max(largest, curve.radius[i]);
         chart.curves.push_back(std::move(curve));
     }
     chart.largest = largest > 0.0 ? 1.05 * largest : 1.0;

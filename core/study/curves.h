@@ -43,6 +43,10 @@ struct CurveSettings {
 /// "BRDF f (1/sr), red": what such a number is, for axes.
 [[nodiscard]] std::string valueLabel(const CurveSettings& settings);
 
+/// Whether what is seen at this angle counts for the length of an axis: some models grow without bound in the last degrees
+/// above the horizon, and would make every other curve a line.
+[[nodiscard]] bool setsTheScale(double theta, double thetaI);
+
 /// The direction at this angle in the plane of incidence, N = (0,0,1); positive away from the light.
 [[nodiscard]] Vec3d directionInPlane(double theta);
 

@@ -71,9 +71,13 @@ TEST(LobeChart, TakesNoNumberAndNegativeOnesForNothing)
     LobeChart chart = dome();
     chart.lobes[0].radius[chart.at(1, 3)] = std::numeric_limits<double>::quiet_NaN();
     chart.lobes[0].radius[chart.at(2, 5)] = -1.0;
+    chart.lobes[0].radius[chart.at(3, 5)] = 1e9;
     for (const LobeFacet& facet : facetsOf(chart, {}))
         for (const LobePoint& corner : facet.corners)
             EXPECT_TRUE(std::isfinite(corner.x) && std::isfinite(corner.y) && std::isfinite(corner.depth));
+    for (const LobeFacet& facet : facetsOf(chart, {}))
+        for (const LobePoint& corner : facet.corners)
+            EXPECT_LT(std::hypot(corner.x, corner.y, corner.depth), 1.2);
     EXPECT_THAT(svgOf(chart, {}, 400, 400), Not(HasSubstr("nan")));
 }
 

@@ -25,6 +25,18 @@ struct Field {
     }
 };
 
+/// What of an axis's label there is room for: first what follows the semicolon goes.
+std::string labelWithin(const std::string& label, float width)
+{
+    const std::size_t clause = label.find(';');
+    ImGui::PushFont(face(Face::Small));
+    const std::string shown = sizeIn(Face::Small, label).x > width && clause != std::string::npos
+                                  ? elided(label.substr(0, clause) + ")", width)
+                                  : elided(label, width);
+    ImGui::PopFont();
+    return shown;
+}
+
 void drawAxes(ImDrawList& list, const Field& field)
 {
     const Chart& chart = field.chart;
@@ -38,7 +50,8 @@ void drawAxes(ImDrawList& list, const Field& field)
         list.AddLine({field.low.x, y}, {field.high.x, y}, palette::raised);
         plotText(list, field.low.x - points(5), y, TextAnchor::Right, tick.text);
     }
-    plotText(list, (field.low.x + field.high.x) / 2, field.high.y + points(24), TextAnchor::Centre, chart.x.label);
+    plotText(list, (field.low.x + field.high.x) / 2, field.high.y + points(24), TextAnchor::Centre,
+             labelWithin(chart.x.label, field.high.x - field.low.x + points(46)));
     plotText(list, field.low.x - points(34), field.low.y - points(12), TextAnchor::Left, chart.y.label);
 }
 

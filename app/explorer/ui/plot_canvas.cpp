@@ -26,6 +26,13 @@ void plotText(ImDrawList& list, float x, float y, TextAnchor anchor, std::string
 
 void drawLegend(ImDrawList& list, ImVec2 upperRight, const std::vector<PlotEntry>& entries)
 {
+    float widest = 0.0F;
+    for (const PlotEntry& entry : entries)
+        widest = std::max(widest, sizeIn(Face::Small, entry.text).x);
+    if (!entries.empty()) // names stay legible over curves
+        list.AddRectFilled({upperRight.x - widest - points(26), upperRight.y},
+                           {upperRight.x + points(4), upperRight.y + points(16) * static_cast<float>(entries.size())},
+                           (palette::well & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 190), points(3));
     float y = upperRight.y + points(8);
     for (const PlotEntry& entry : entries) {
         const float left = upperRight.x - sizeIn(Face::Small, entry.text).x;

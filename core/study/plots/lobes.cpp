@@ -62,9 +62,9 @@ std::optional<LobeChart> lobesOf(const std::vector<NamedSurface>& surfaces, cons
             const std::vector<double> ring = towards(surface, settings, viewers);
             lobe.radius.insert(lobe.radius.end(), ring.begin(), ring.end());
         }
-        for (const double radius : lobe.radius)
-            if (std::isfinite(radius))
-                largest = std::max(largest, radius);
+        for (std::size_t i = 0; i < lobe.radius.size(); ++i)
+            if (std::isfinite(lobe.radius[i]) && setsTheScale(chart.theta[i / chart.phi.size()], settings.thetaI))
+                largest = std::max(largest, lobe.radius[i]);
         chart.lobes.push_back(std::move(lobe));
     }
     chart.largest = largest > 0.0 ? 1.05 * largest : 1.0;

@@ -37,6 +37,19 @@ TEST(Lobes, MeetThePlaneOfIncidenceAndThePeak)
     }
 }
 
+/// Ward's highlight is thousands of times as high a degree above the horizon as elsewhere.
+TEST(Lobes, AreNotScaledByWhatGrowsWithoutBound)
+{
+    const NamedSurface ward = test::surfaceOf("ward", {});
+    const LobeChart chart = lobeOf(ward, {0.7});
+    EXPECT_LT(chart.largest, 100.0);
+    EXPECT_GT(*std::max_element(chart.lobes[0].radius.begin(), chart.lobes[0].radius.end()), 100.0);
+    EXPECT_LT(overTheta({ward}, {0.7}).y.high, 100.0);
+    EXPECT_LT(aboutThePoint({ward}, {0.7}).largest, 100.0);
+    const NamedSurface phong = test::surfaceOf("phong", {{"ks", {0.5}}, {"n", {1e4}}});
+    EXPECT_GT(lobeOf(phong, {1.55}).largest, 0.5) << "a peak towards the horizon is no such growth";
+}
+
 TEST(Lobes, GiveNothingWhereTheyAreCancelled)
 {
     Progress progress;

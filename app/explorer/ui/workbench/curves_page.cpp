@@ -13,7 +13,11 @@ namespace reflectance::explorer {
 
 namespace {
 
-constexpr float controlsWidth = 236.0F;
+/// Less where the window is narrow: the plot needs it more.
+float controlsWidth(float room)
+{
+    return std::clamp(0.42F * room, points(190), points(236));
+}
 
 void tabRow(PlotTab& tab)
 {
@@ -97,7 +101,8 @@ void drawCurvesPage(ExplorerState& state)
 {
     CurvesPage& page = state.curves;
     tabRow(page.tab);
-    ImGui::BeginChild("controls", {points(controlsWidth), 0}, false, ImGuiWindowFlags_NavFlattened);
+    ImGui::BeginChild("controls", {controlsWidth(ImGui::GetContentRegionAvail().x), 0}, false,
+                      ImGuiWindowFlags_NavFlattened);
     drawCurvesControls(state);
     ImGui::EndChild();
     page.settings.thetaI = radians(page.thetaI);
