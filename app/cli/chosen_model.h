@@ -11,9 +11,9 @@
 namespace reflectance::cli {
 
 struct ModelChoice {
-    std::string id;       ///< of the catalogue
-    std::string file;     ///< of an own text; empty: none
-    bool isGiven = false; ///< --model was
+    std::string id = {};   ///< of the catalogue
+    std::string file = {}; ///< of an own text; empty: none
+    bool isGiven = false;  ///< --model was
 };
 
 /// `about` says what the model is for.
