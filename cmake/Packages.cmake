@@ -1,7 +1,10 @@
 # cpack: Debian packages (one per component) and a relocatable archive of the program.
 set(CPACK_PACKAGE_NAME reflectance)
 set(CPACK_PACKAGE_VENDOR "the authors of the Reflectance Explorer")
-set(CPACK_PACKAGE_CONTACT "The authors of the Reflectance Explorer <reflectance@localhost>")
+# A domain that RFC 2606 keeps free of anybody's mail: who gives packages away names here who answers for them.
+set(REFLECTANCE_PACKAGE_CONTACT "The authors of the Reflectance Explorer <reflectance@example.org>" CACHE STRING
+  "Who answers for the packages: NAME <ADDRESS>")
+set(CPACK_PACKAGE_CONTACT "${REFLECTANCE_PACKAGE_CONTACT}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "understand, compare and trust reflectance models")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")
@@ -26,6 +29,8 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME reflectance)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 # Opened while running: OpenGL without a window.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libosmesa6 | libegl1, libgl1-mesa-dri")
+# Opened while running as well, where mpirun starts the program.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "openmpi-bin, libopenmpi3")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
   "The explorer drags a light over a surface and shows what a formula does.\nIt follows the picture through illumination, surface and sensor, with every\nparameter, unit and source at hand, and measures what each model costs and\nhow far each arithmetic is from the truth.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libreflectance-dev)

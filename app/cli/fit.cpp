@@ -1,5 +1,6 @@
 // `fit`: the parameters with which a model comes nearest to a measured table or to the pixels of a picture; `--all`: every model
 // on many surfaces.
+#include "app/cli/chosen_model.h"
 #include "app/cli/fit_report.h"
 #include "app/cli/launched.h"
 #include "app/cli/long_work.h"
@@ -26,7 +27,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> inputs;
-    std::string model;
+    ModelChoice model;
     std::string weights = "linear";
     bool cosine = false, robust = false;
     int starts = FitOptions().starts;
@@ -160,9 +161,7 @@ Result<void> writePlot(const Options& options, const Model& model, const Subject
 
 int fitOne(const Options& options)
 {
-    if (options.model.empty())
-        return refused(Error{"name the model to fit with --model ID; 'reflectance models' lists them"});
-    const auto model = findModel(options.model);
+    const auto model = chosenModel(options.model);
     if (!model)
         return refused(model.error());
     const auto fitOptions = fitOptionsFrom(options, &(*model)->text);
@@ -183,9 +182,14 @@ int fitOne(const Options& options)
         return refused(written.error());
     if (options.out.empty())
         return Done;
-    subject->scene.surface.model = options.model;
+    Surface& surface = subject->scene.surface;
+    surface.model = (*model)->id();
+    if (!options.model.file.empty()) {
+        surface.own = *model;
+        surface.modelFile = options.model.file;
+    }
     for (const auto& [name, numbers] : fit->values)
-        subject->scene.surface.values[name] = numbers;
+        surface.values[name] = numbers;
     const auto saved = saveScene(subject->scene, options.out);
     return saved ? Done : refused(saved.error());
 }
@@ -194,8 +198,9 @@ int fitAll(const Options& options)
 {
     if (const auto code = refusedLaunch())
         return *code;
-    if (!options.model.empty() || !options.picture.empty() || !options.out.empty() || !options.fixed.empty())
-        return refused(Error{"--all fits every model; leave --model, --fix, --pixels and --out away"});
+    if (options.model.isGiven || !options.model.file.empty() || !options.picture.empty() || !options.out.empty() ||
+        !options.fixed.empty())
+        return refused(Error{"--all fits every model; leave --model, --model-file, --fix, --pixels and --out away"});
     if (options.inputs.empty())
         return refused(Error{"--all needs files or folders of measured surfaces"});
     const auto fitOptions = fitOptionsFrom(options, nullptr);
@@ -249,7 +254,7 @@ void addSubjectFlags(CLI::App& verb, Options& options)
 
 void addFitFlags(CLI::App& verb, Options& options)
 {
-    verb.add_option("--model", options.model, "reflectance model; 'reflectance models' lists them");
+    addModelChoice(verb, options.model, "reflectance model to fit");
     verb.add_option("--weights", options.weights,
                     "linear: differences count as they are; log: dark and bright angles count alike")
         ->check(CLI::IsMember({"linear", "log"}))

@@ -1,4 +1,5 @@
 // `goniometer`: a micro-surface, measured from all lighting and viewing directions into a table.
+#include "app/cli/chosen_model.h"
 #include "app/cli/goniometer_report.h"
 #include "app/cli/launched.h"
 #include "app/cli/long_work.h"
@@ -6,6 +7,7 @@
 #include "app/cli/report.h"
 #include "app/cli/table_options.h"
 #include "app/cli/verbs.h"
+#include "core/base/digest.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/math/angle.h"
@@ -25,7 +27,8 @@ namespace reflectance::cli {
 namespace {
 
 struct Options {
-    std::string surface, model = "lambert";
+    std::string surface;
+    ModelChoice model{"lambert"};
     std::vector<std::string> assignments, without;
     int bounces = 0;
     std::string grid = "isotropic:10x13";
@@ -45,16 +48,15 @@ struct Options {
 struct Bench {
     LabRun run;
     MicroSurface surface;
-    Facets facets;
+    std::shared_ptr<const Model> model;
+    Facets facets; ///< of that model
 };
 
-Result<std::vector<double>> valuesFor(const Model& model, const std::vector<std::string>& assignments, const char* flag)
+/// Of all that a run's numbers depend on beside what its file spells out: the surface, and the text of an own model.
+std::uint64_t fingerprintOf(const MicroSurface& surface, const Model& model, const ModelChoice& choice)
 {
-    ParameterValues values;
-    for (const std::string& assignment : assignments)
-        if (const auto set = setParameter(model.text, assignment, values); !set)
-            return Error{std::string(flag) + " " + assignment + ": " + set.error().message};
-    return flatValues(model.text, values);
+    const std::string text = choice.file.empty() ? "" : digestOf(model.text.code);
+    return surface.fingerprint() ^ (text.empty() ? 0 : std::stoull(text, nullptr, 16));
 }
 
 Result<GridShape> gridFor(const Options& options)
@@ -70,10 +72,10 @@ Result<GridShape> gridFor(const Options& options)
 
 Result<Bench> benchFromFlags(const Options& options)
 {
-    const auto model = findModel(options.model);
+    const auto model = chosenModel(options.model);
     if (!model)
         return model.error();
-    const auto values = valuesFor(**model, options.assignments, "--set");
+    const auto values = valuesFrom((*model)->text, options.assignments, "--set");
     if (!values)
         return values.error();
     const auto facets = facetsOf(**model, *values);
@@ -87,7 +89,7 @@ Result<Bench> benchFromFlags(const Options& options)
         return surface.error();
     LabSetup setup;
     setup.surface = options.surface;
-    setup.model = options.model;
+    setup.model = (*model)->id();
     setup.values = *values;
     setup.channels = facets->channels;
     setup.effects.bounces = options.bounces;
@@ -97,7 +99,8 @@ Result<Bench> benchFromFlags(const Options& options)
         setup.azimuth = radians(*options.azimuth);
     setup.shape = *shape;
     setup.seed = options.seed;
-    return Bench{startedRun(std::move(setup), surface->fingerprint()), *surface, *facets};
+    const std::uint64_t fingerprint = fingerprintOf(*surface, **model, options.model);
+    return Bench{startedRun(std::move(setup), fingerprint), *surface, *model, *facets};
 }
 
 /// The run of a file, on the same surface as then.
@@ -112,9 +115,14 @@ Result<Bench> benchFromFile(const Options& options)
     auto run = readCheckpoint(*text, options.resume);
     if (!run)
         return run.error();
-    const auto model = findModel(run->setup.model);
+    const auto model = chosenModel({run->setup.model, options.model.file});
+    if (!model && options.model.file.empty())
+        return Error{model.error().message + "; where it was a model of your own, name it with --model-file",
+                     options.resume};
     if (!model)
-        return Error{model.error().message, options.resume};
+        return model.error();
+    if ((*model)->id() != run->setup.model)
+        return Error{"was measured with facets of " + run->setup.model + ", not of " + (*model)->id(), options.resume};
     if (run->setup.values.size() != (*model)->text.valueCount())
         return Error{"holds " + std::to_string(run->setup.values.size()) + " values where the model " +
                          run->setup.model + " has " + std::to_string((*model)->text.valueCount()) + "; begin a new run",
@@ -125,10 +133,11 @@ Result<Bench> benchFromFile(const Options& options)
     const auto surface = microSurface(run->setup.surface);
     if (!surface)
         return surface.error();
-    if (surface->fingerprint() != run->fingerprint || facets->channels != run->setup.channels)
-        return Error{"was measured on another " + run->setup.surface + " than there is now; begin a new run",
+    if (fingerprintOf(*surface, **model, options.model) != run->fingerprint || facets->channels != run->setup.channels)
+        return Error{"was measured on another " + run->setup.surface + " or with another text of " + run->setup.model +
+                         " than there is now; begin a new run",
                      options.resume};
-    return Bench{*std::move(run), *surface, *facets};
+    return Bench{*std::move(run), *surface, *model, *facets};
 }
 
 /// What can be refused before hours of tracing.
@@ -210,7 +219,7 @@ Result<std::optional<NamedFactor>> rivalFrom(const Options& options)
     const auto model = findModel(options.against);
     if (!model)
         return Error{"--against: " + model.error().message};
-    const auto values = valuesFor(**model, options.againstValues, "--with");
+    const auto values = valuesFrom((*model)->text, options.againstValues, "--with");
     if (!values)
         return values.error();
     return std::optional(NamedFactor{(*model)->text.name, factorOf(**model, *values)});
@@ -304,8 +313,9 @@ void addSetupFlags(CLI::App& verb, const std::shared_ptr<Options>& options)
         "surface", options->surface,
         "flat, vgrooves:slope=DEG or :sigma=DEG, gaussian:sigma=DEG,correlation=C, scratches:sigma=DEG,correlation=C, "
         "a picture of heights FILE.png:height=H (.exr, .pfm, .hdr), or a mesh");
+    const auto model = addModelChoice(verb, options->model, "reflectance model of the facets");
     const std::vector<CLI::Option*> setup{
-        verb.add_option("--model", options->model, "reflectance model of the facets")->capture_default_str(),
+        model[0], // the file of an own one is given again when a run is resumed
         verb.add_option("--set", options->assignments, "name=value of the facets' model; may be repeated"),
         verb.add_option("--bounces", options->bounces,
                         "most reflections from facet to facet before the last; 0: single reflection")

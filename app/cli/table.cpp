@@ -1,4 +1,5 @@
 // `table`: measured tables, described, made from models, and brought from one format to another.
+#include "app/cli/chosen_model.h"
 #include "app/cli/report.h"
 #include "app/cli/table_info.h"
 #include "app/cli/table_options.h"
@@ -16,7 +17,7 @@ namespace reflectance::cli {
 namespace {
 
 struct SampleOptions {
-    std::string model;
+    ModelChoice model;
     std::vector<std::string> assignments;
     std::string out;
     std::string json;
@@ -58,13 +59,12 @@ Result<GridShape> shapeFor(const GridOptions& options, const GridShape& suited)
 
 int runSample(const SampleOptions& options)
 {
-    const auto model = findModel(options.model);
+    const auto model = chosenModel(options.model);
     if (!model)
         return refused(model.error());
-    ParameterValues values;
-    for (const std::string& assignment : options.assignments)
-        if (const auto set = setParameter((*model)->text, assignment, values); !set)
-            return refused(Error{"--set " + assignment + ": " + set.error().message});
+    const auto values = valuesFrom((*model)->text, options.assignments, "--set");
+    if (!values)
+        return refused(values.error());
     const auto format = tableFormatOf(options.out);
     if (!format)
         return refused(format.error());
@@ -74,13 +74,13 @@ int runSample(const SampleOptions& options)
         return refused(shape.error());
     if (const auto writable = checkWritable(options.out); !writable)
         return refused(writable.error());
-    const SampledModel result = sampledModel(**model, flatValues((*model)->text, values), *shape,
-                                             interpolationNamed(options.grid.interpolation), isCsv ? 9 : 3);
+    const SampledModel result =
+        sampledModel(**model, *values, *shape, interpolationNamed(options.grid.interpolation), isCsv ? 9 : 3);
     if (const auto saved = saveTable(options.out, *format, result.table); !saved)
         return refused(saved.error());
     const auto& all = result.table.values;
     if (std::none_of(all.begin(), all.end(), [](double v) { return v != 0.0 && !std::isnan(v); }))
-        std::cerr << "reflectance: every sample of " << options.model << " is 0: what it reflects meets no grid\n";
+        std::cerr << "reflectance: every sample of " << (*model)->id() << " is 0: what it reflects meets no grid\n";
     if (result.isUnderWhite)
         std::cerr << "reflectance: the format holds no matrix: " << options.out
                   << " holds the colour under white light, the sums of K's rows; a .csv holds all nine numbers\n";
@@ -121,8 +121,8 @@ int runConvert(const ConvertOptions& options)
 void addSample(CLI::App& table, int& exitCode)
 {
     auto options = std::make_shared<SampleOptions>();
-    CLI::App* verb = table.add_subcommand("sample", "Sample a model of the catalogue into a table");
-    verb->add_option("--model", options->model, "id, see 'reflectance models'")->required();
+    CLI::App* verb = table.add_subcommand("sample", "Sample a model into a table");
+    addModelChoice(*verb, options->model, "reflectance model");
     verb->add_option("--set", options->assignments, "name=value of a parameter; may be repeated");
     verb->add_option("--out", options->out, ".csv, .binary (MERL), .json or .xompt (OpenMATERIAL 3D)")->required();
     verb->add_option("--json", options->json, "what was written, to a file or - for standard output");

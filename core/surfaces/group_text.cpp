@@ -1,5 +1,6 @@
 #include "core/surfaces/group_text.h"
 
+#include "core/base/number_list.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -14,18 +15,6 @@ struct Head {
     std::map<std::string, std::vector<double>, std::less<>> scales; ///< by parameter
     std::vector<std::string> assignments;
 };
-
-std::optional<std::vector<double>> numbersIn(std::string_view text)
-{
-    std::vector<double> numbers;
-    for (const std::string_view word : words(text)) {
-        const auto number = parseNumber(word);
-        if (!number)
-            return std::nullopt;
-        numbers.push_back(*number);
-    }
-    return numbers.empty() ? std::nullopt : std::optional(numbers);
-}
 
 /// Lower case, with a hyphen for every run of what an id cannot hold: "Roof Shingle (zoomed)" is "roof-shingle-zoomed".
 std::string slug(std::string_view name)
@@ -58,7 +47,7 @@ Result<void> readHeadLine(std::string_view line, Head& head)
         head.assignments.push_back(value);
     } else if (key == "scale") {
         const std::size_t end = std::min(value.find(' '), value.size());
-        const auto numbers = numbersIn(std::string_view(value).substr(end));
+        const auto numbers = numbersInWords(std::string_view(value).substr(end));
         if (!numbers || numbers->size() != 3)
             return Error{"'scale' needs a parameter and three numbers"};
         head.scales[value.substr(0, end)] = *numbers;
@@ -92,8 +81,8 @@ Result<void> readCell(const std::string& column, std::string_view cell, const Mo
             surface.facts.push_back({column, std::string(cell)});
         return {};
     }
-    auto numbers = numbersIn(cell);
-    if (!numbers)
+    auto numbers = numbersInWords(cell);
+    if (!numbers || numbers->empty())
         return Error{"'" + std::string(cell) + "' is no list of numbers for " + column};
     if (const auto scale = head.scales.find(column); scale != head.scales.end())
         numbers = scaled(*std::move(numbers), scale->second);

@@ -10,7 +10,7 @@ file(GLOB archive "${SCRATCH}/made/reflectance-*.tar.gz")
 
 must("dpkg-deb --info" dpkg-deb --info "${package}")
 foreach(line "Package: reflectance\n" "Version: ${VERSION}" "Section: science" "Depends: [^\n]*libc6" "libembree3" "libtbb12"
-    "Recommends: [^\n]*osmesa" "Maintainer: [^\n]+<" "Description: understand, compare")
+    "Recommends: [^\n]*osmesa" "Suggests: [^\n]*openmpi" "Maintainer: [^\n]+<" "Description: understand, compare")
   says("the package's control file" "${line}")
 endforeach()
 if(out MATCHES "Depends: [^\n]*(mpi|libgtest|-dev)")

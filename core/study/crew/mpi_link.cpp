@@ -4,7 +4,14 @@
 
 #include "core/base/shared_library.h"
 
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
 #include <list>
+#include <mutex>
+#include <stop_token>
+#include <thread>
 #define OMPI_SKIP_MPICXX 1
 #include <mpi.h>
 
@@ -60,6 +67,19 @@ Calls callsOf(const SharedLibrary& library)
     find(library, "ompi_mpi_byte", calls.byte);
     find(library, "ompi_mpi_errors_return", calls.returnErrors);
     return calls;
+}
+
+/// The start waits for all ranks; where one has died before, under --enable-recovery, it would for ever.
+void endWhenNobodyComes(const std::stop_token& stop)
+{
+    constexpr std::chrono::minutes patience{10};
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::unique_lock lock(mutex);
+    if (wake.wait_for(lock, stop, patience, [&stop] { return stop.stop_requested(); }))
+        return;
+    std::fputs("reflectance: the ranks have not met within ten minutes, and this one ends; start again\n", stderr);
+    std::_Exit(2);
 }
 
 /// On its way in or out; the library holds the address of its text.
@@ -149,8 +169,11 @@ Result<MpiRank> openMpi()
     const Calls calls = callsOf(*library);
     if (!calls.isWhole())
         return Error{"was started by mpirun, but the library libmpi found here is not Open MPI's; install libopenmpi3"};
-    if (calls.init(nullptr, nullptr) != MPI_SUCCESS)
-        return Error{"Open MPI cannot be started; is the program run by the mpirun of the same version?"};
+    {
+        const std::jthread watch(endWhenNobodyComes);
+        if (calls.init(nullptr, nullptr) != MPI_SUCCESS)
+            return Error{"Open MPI cannot be started; is the program run by the mpirun of the same version?"};
+    }
     calls.setErrorHandler(calls.world, calls.returnErrors);
     MpiRank found;
     calls.rank(calls.world, &found.rank);

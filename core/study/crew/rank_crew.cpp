@@ -1,8 +1,6 @@
 #include "core/study/crew/rank_crew.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
 #include <thread>
 #include <utility>
 
@@ -19,6 +17,8 @@ RankCrew::RankCrew(std::unique_ptr<RankLink> link, std::unique_ptr<LocalCrew> ow
     : link_(std::move(link)), own_(std::move(own)), patience_(patience),
       peers_(static_cast<std::size_t>(link_->size()), Peer{Clock::now()}), spoke_(Clock::now())
 {
+    for (int rank = 1; rank < link_->size(); ++rank)
+        link_->send(rank, written(greeting(ownHands())));
 }
 
 RankCrew::~RankCrew()
@@ -90,7 +90,7 @@ void RankCrew::welcome(int from, const RankMessage& hello)
     Peer& peer = peers_[static_cast<std::size_t>(from)];
     peer.firstHand = remotes_.size();
     peer.hands = hello.hand;
-    peer.process = hello.text == hostHere() ? static_cast<long>(hello.serial) : 0;
+    peer.process = processHere(hello);
     for (std::size_t i = 0; i < hello.hand; ++i)
         remotes_.push_back({from, i});
 }
@@ -106,8 +106,7 @@ void RankCrew::comesBack(Peer& peer, std::vector<CrewEvent>& events)
 
 bool RankCrew::isDead(const Peer& peer, Clock::time_point now) const
 {
-    const bool isNoMore = peer.process != 0 && ::kill(static_cast<pid_t>(peer.process), 0) != 0 && errno == ESRCH;
-    return isNoMore || now - peer.heard > patience_.withOthers;
+    return isNoMore(peer.process) || now - peer.heard > patience_.withOthers;
 }
 
 void RankCrew::keepInTouch(std::vector<CrewEvent>& events)

@@ -3,6 +3,8 @@
 #include "core/base/text.h"
 
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <filesystem>
 #include <unistd.h>
 
@@ -34,6 +36,21 @@ std::string hostHere()
     ::gethostname(name.data(), name.size() - 1);
     std::error_code unknown; // containers on one host may share its name
     return name.data() + std::string(" ") + std::filesystem::read_symlink("/proc/self/ns/pid", unknown).string();
+}
+
+RankMessage greeting(std::size_t hands)
+{
+    return {RankMessage::Kind::Hello, hands, static_cast<std::uint64_t>(::getpid()), hostHere()};
+}
+
+long processHere(const RankMessage& hello)
+{
+    return hello.text == hostHere() ? static_cast<long>(hello.serial) : 0;
+}
+
+bool isNoMore(long process)
+{
+    return process != 0 && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
 }
 
 } // namespace reflectance

@@ -10,7 +10,7 @@ namespace reflectance {
 
 struct RankMessage {
     enum class Kind : char {
-        Hello = 'H',    ///< `hand` hands, process `serial`, on the host `text`
+        Hello = 'H',    ///< `hand` hands, process `serial`, on the host `text`; the first rank greets, too
         Job = 'J',      ///< for a hand
         Finished = 'F', ///< by a hand, as CrewEvent
         Died = 'D',
@@ -30,5 +30,14 @@ struct RankMessage {
 
 /// Names this host, and the table of processes in which a process number means something.
 [[nodiscard]] std::string hostHere();
+
+/// What this process says of itself.
+[[nodiscard]] RankMessage greeting(std::size_t hands);
+
+/// The process that greeted, where it runs on this host, else 0.
+[[nodiscard]] long processHere(const RankMessage& hello);
+
+/// Whether a process of this host is no more; 0 never is.
+[[nodiscard]] bool isNoMore(long process);
 
 } // namespace reflectance

@@ -1,7 +1,6 @@
 #include "core/study/crew/rank_crew.h"
 
 #include <map>
-#include <unistd.h>
 #include <utility>
 
 namespace reflectance {
@@ -17,7 +16,7 @@ class Helper {
 public:
     Helper(RankLink& link, LocalCrew& own) : link_(link), own_(own), serials_(own.size(), 0)
     {
-        link_.send(0, written({Kind::Hello, own_.size(), static_cast<std::uint64_t>(::getpid()), hostHere()}));
+        link_.send(0, written(greeting(own_.size())));
     }
 
     /// Whether the first rank said that all is done, and how to part.
@@ -26,6 +25,8 @@ public:
         while (const auto message = link_.receive()) {
             heard_ = Clock::now();
             const auto read = readRankMessage(message->text);
+            if (read && read->kind == Kind::Hello)
+                first_ = processHere(*read);
             if (read && read->kind == Kind::End)
                 return read->hand == 1;
             if (read && read->kind == Kind::Job && read->hand < own_.size())
@@ -55,7 +56,10 @@ public:
         link_.flush();
     }
 
-    [[nodiscard]] Clock::duration silence() const { return Clock::now() - heard_; }
+    [[nodiscard]] bool isAlone(Clock::duration patience) const
+    {
+        return isNoMore(first_) || Clock::now() - heard_ > patience;
+    }
 
 private:
     /// A rank that was given up and came back may be given work while it still does what others did since.
@@ -77,6 +81,7 @@ private:
     LocalCrew& own_;
     std::vector<std::uint64_t> serials_; ///< of the jobs in hand; 0: none
     std::map<std::size_t, RankMessage> waiting_;
+    long first_ = 0; ///< the process of the first rank, where it runs on this host
     Clock::time_point heard_ = Clock::now(), spoke_ = Clock::now();
 };
 
@@ -93,8 +98,9 @@ Result<void> workForFirstRank(RankLink& link, std::unique_ptr<LocalCrew> own, co
             return {};
         }
         helper.report();
-        if (helper.silence() > patience.withFirst)
-            return Error{"has not heard of the first of the ranks for minutes, and ends; the next run goes on"};
+        if (helper.isAlone(patience.withFirst))
+            return Error{
+                "does not hear of the first of the ranks any more, and ends; the same command goes on where it was"};
     }
 }
 

@@ -1,11 +1,11 @@
 #include "core/study/goniometer/checkpoint.h"
 
+#include "core/base/number_list.h"
 #include "core/base/text.h"
 #include "core/measured/lines.h"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 namespace reflectance {
 namespace {
@@ -25,18 +25,6 @@ std::optional<std::uint64_t> wholeNumber(std::string_view text)
     std::uint64_t value = 0;
     const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
     return failed == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
-
-std::optional<std::vector<double>> numbersIn(std::string_view text)
-{
-    std::vector<double> numbers;
-    for (const std::string_view word : words(text)) {
-        const auto number = parseNumber(word);
-        if (!number || !std::isfinite(*number))
-            return std::nullopt;
-        numbers.push_back(*number);
-    }
-    return numbers;
 }
 
 class Reader {
@@ -92,7 +80,7 @@ private:
 
     bool keepNumbers(std::string_view name, std::string_view text)
     {
-        auto numbers = numbersIn(text);
+        auto numbers = numbersInWords(text);
         if (!numbers)
             return false;
         LabSetup& setup = run_.setup;
@@ -156,7 +144,7 @@ private:
         const std::size_t channels = run_.setup.channels;
         const auto batches = pieces.empty() ? std::nullopt : wholeNumber(pieces[0]);
         const auto wanted = pieces.size() < 2 ? std::nullopt : wholeNumber(pieces[1]);
-        const auto numbers = numbersIn(*line);
+        const auto numbers = numbersInWords(*line);
         if (!batches || !wanted || !numbers || numbers->size() != 2 + 2 * channels)
             return wrong("a cell is two counts, then " + std::to_string(2 * channels) + " numbers");
         cell.batches = *batches;

@@ -7,6 +7,7 @@
 #include "core/study/crew/ranks.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace reflectance {
 namespace {
@@ -95,25 +96,33 @@ private:
 
 } // namespace
 
+CrewWork labWork(const LabSetup& setup, const MicroTracer& tracer)
+{
+    return [&setup, &tracer](std::string_view job, Progress&) { return batchesOf(job, setup, tracer); };
+}
+
+LabPass passBy(Crew& crew, LabFailures& failures, Result<void>& problem)
+{
+    return [&, foreman = std::make_shared<Foreman>(crew)](LabRun& run, const std::vector<std::size_t>& cells,
+                                                          const std::function<bool()>& isStopped) {
+        Pass whole(run, cells, cellsPerJob, failures);
+        auto goesOn = whole.by(*foreman, isStopped);
+        if (goesOn && *goesOn && !whole.suspects().empty())
+            goesOn = Pass(run, whole.suspects(), 1, failures).by(*foreman, isStopped);
+        if (!goesOn)
+            problem = goesOn.error();
+        return goesOn && *goesOn;
+    };
+}
+
 Result<LabFailures> measureWithCrew(LabRun& run, const MicroTracer& tracer, const LabTargets& targets, unsigned workers,
                                     Progress* progress, const LabWatch& watch)
 {
-    const auto work = [&setup = run.setup, &tracer](std::string_view job, Progress&) {
-        return batchesOf(job, setup, tracer);
-    };
     LabFailures failures;
-    const auto ran = withCrew(handsFor(workers), work, [&](Crew& crew) {
-        Foreman foreman(crew);
-        Result<bool> goesOn = true;
-        const auto pass = [&](LabRun& of, const std::vector<std::size_t>& cells, const std::function<bool()>& stop) {
-            Pass whole(of, cells, cellsPerJob, failures);
-            goesOn = whole.by(foreman, stop);
-            if (goesOn && *goesOn && !whole.suspects().empty())
-                goesOn = Pass(of, whole.suspects(), 1, failures).by(foreman, stop);
-            return goesOn && *goesOn;
-        };
-        measureInPasses(run, pass, failures, targets, progress, watch);
-        return goesOn ? Result<void>() : goesOn.error();
+    const auto ran = withCrew(handsFor(workers), labWork(run.setup, tracer), [&](Crew& crew) {
+        Result<void> problem;
+        measureInPasses(run, passBy(crew, failures, problem), failures, targets, progress, watch);
+        return problem;
     });
     return ran ? Result<LabFailures>(failures) : ran.error();
 }

@@ -68,6 +68,15 @@ std::unique_ptr<RankCrew> firstOf(Post& post, int size, const RankPatience& pati
     return std::make_unique<RankCrew>(std::make_unique<PlayedLink>(post, size), nullptr, patience);
 }
 
+pid_t somebodyDead()
+{
+    const pid_t dead = ::fork();
+    if (dead == 0)
+        ::_exit(0);
+    ::waitpid(dead, nullptr, 0);
+    return dead;
+}
+
 TEST(Ranks, MessagesAreReadAsTheyWereWritten)
 {
     for (const std::string& text : {std::string(), std::string("a\nb c"), std::string("\0x", 2)}) {
@@ -125,10 +134,7 @@ TEST(Ranks, ASilentOneIsGivenUpAndWelcomeWhenItComesBack)
 
 TEST(Ranks, ADeathOnThisHostIsSeenAtOnce)
 {
-    const pid_t dead = ::fork();
-    if (dead == 0)
-        ::_exit(0);
-    ::waitpid(dead, nullptr, 0);
+    const pid_t dead = somebodyDead();
     Post post;
     const auto crew = firstOf(post, 3);
     post.say(1, {Say::Hello, 2, static_cast<std::uint64_t>(dead), hostHere()});
@@ -205,13 +211,21 @@ TEST(Ranks, DoOneJobAfterTheOther)
     EXPECT_FALSE(post.isFinished) << "somebody is dead";
 }
 
+TEST(Ranks, EndAtOnceWhenTheFirstDiesOnThisHost)
+{
+    Post post;
+    PlayedLink link(post, 2);
+    post.say(0, {Say::Hello, 1, static_cast<std::uint64_t>(somebodyDead()), hostHere()});
+    EXPECT_FALSE(workForFirstRank(link, oneHand(), forever));
+}
+
 TEST(Ranks, EndWhenTheFirstIsSilent)
 {
     Post post;
     PlayedLink link(post, 2);
     const auto worked = workForFirstRank(link, oneHand(), none);
     ASSERT_FALSE(worked);
-    EXPECT_NE(worked.error().message.find("has not heard of the first"), std::string::npos);
+    EXPECT_NE(worked.error().message.find("does not hear of the first"), std::string::npos);
 }
 
 } // namespace

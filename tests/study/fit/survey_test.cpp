@@ -147,3 +147,37 @@ TEST(Survey, RefusesWhatIsNoMeasurement)
     progress.cancel = true;
     EXPECT_FALSE(survey({folder.path()}, {}, &progress));
 }
+
+/// One surface and few starts: what counts is the file.
+TEST(Survey, GoesOnBehindWhatAnEarlierRunKept)
+{
+    const SurveyFolder folder;
+    const std::string surface = folder.path() + "/matte.csv";
+    SurveyRun run;
+    run.journal = folder.path() + "/fits";
+    run.workers = 2;
+    FitOptions options;
+    options.starts = 1;
+    const auto first = survey({surface}, options, nullptr, run);
+    ASSERT_TRUE(first) << first.error().sentence();
+    const std::string whole = *readWholeFile(run.journal);
+
+    // Torn in the middle of a fit: the fit and all behind it are made again, and equal.
+    EXPECT_TRUE(writeAtomically(run.journal, whole.substr(0, whole.size() / 2)));
+    const auto second = survey({surface}, options, nullptr, run);
+    ASSERT_TRUE(second) << second.error().sentence();
+    EXPECT_EQ(*readWholeFile(run.journal), whole);
+    ASSERT_EQ(second->surfaces.size(), 1U);
+    ASSERT_EQ(second->surfaces[0].fits.size(), first->candidates.size());
+    for (std::size_t i = 0; i < first->candidates.size(); ++i) {
+        ASSERT_EQ(first->surfaces[0].fits[i].has_value(), second->surfaces[0].fits[i].has_value());
+        if (const auto& fit = first->surfaces[0].fits[i]) {
+            EXPECT_EQ(fit->rms, second->surfaces[0].fits[i]->rms) << first->candidates[i].label;
+        }
+    }
+
+    // The planted fault: fits of other options must not be taken for these.
+    options.cosine = true;
+    EXPECT_THAT(survey({surface}, options, nullptr, run).error().sentence(), HasSubstr("other surfaces or options"));
+    EXPECT_EQ(*readWholeFile(run.journal), whole);
+}

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 namespace reflectance {
 namespace {
@@ -165,6 +166,28 @@ TEST_F(Sweeps, AFailureStaysInItsCell)
     EXPECT_NE(text().find("n = -1 "), std::string::npos);
     EXPECT_EQ(rows().size(), 7U);
     EXPECT_EQ(sweep(study, options_)->failed, 4U) << "failures are counted when they are read back, too";
+}
+
+/// The system kills a process that writes a larger file than it may: a picture of 256 x 256, not one of 16 x 16, nor the figures.
+TEST_F(Sweeps, ACrashStaysInItsCell)
+{
+    const Study study = studyOf(R"({"axis": "size", "values": [[16, 16], [256, 256], [17, 17], [18, 18]]})");
+    options_.pictures = (folder_ / "pictures").string();
+    const rlimit before = [] {
+        rlimit now{};
+        ::getrlimit(RLIMIT_FSIZE, &now);
+        return now;
+    }();
+    const rlimit small{8192, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const auto done = sweep(study, options_);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    ASSERT_TRUE(done) << done.error().sentence();
+    EXPECT_EQ(done->failed, 1U);
+    EXPECT_EQ(at(0, "error"), "");
+    EXPECT_EQ(at(1, "error"), "its process crashed: File size limit exceeded");
+    EXPECT_EQ(at(2, "error"), "");
+    EXPECT_EQ(at(3, "error"), "");
 }
 
 TEST_F(Sweeps, OthersFilesAreLeftAlone)
