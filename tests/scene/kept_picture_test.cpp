@@ -31,7 +31,7 @@ Scene unusualScene()
 
 PictureRecipe unusualRecipe()
 {
-    return {641, 3, 8, "cpu", "simd", "vertex", "power", "half", VariantView::Wipe, 1.0 / 3.0, true};
+    return {641, 3, 8, "cpu", "simd", "vertex", "power", "half", VariantView::Wipe, 1.0 / 3.0, "specular", true};
 }
 
 std::string sessionOf(const Scene& scene, const PictureRecipe& recipe, const std::string& folder = {})

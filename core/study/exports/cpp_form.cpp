@@ -6,6 +6,8 @@
 #include "core/study/exports/literals.h"
 #include "core/study/exports/test_vectors.h"
 
+#include <utility>
+
 namespace reflectance {
 
 std::span<const EmbeddedFile> exportedHeaders(); // made by cmake/Embed.cmake
@@ -13,8 +15,17 @@ std::span<const EmbeddedFile> exportedHeaders(); // made by cmake/Embed.cmake
 namespace exports {
 namespace {
 
-/// A header of core/math without its frame: what is included of the standard library stands above all of them, and the
-/// one name of C++20 is written out.
+/// What C++17 does not have yet, and what stands in its place.
+constexpr std::pair<std::string_view, std::string_view> substitutes[] = {
+    {"std::numbers::pi", "3.141592653589793"},
+    {"std::numbers::log2e", "1.4426950408889634"},
+    {"std::bit_cast<", "bitCast<"},
+};
+constexpr std::string_view bitCast =
+    "template <class To, class From> [[nodiscard]] constexpr To bitCast(const From& from)\n"
+    "{\n    return __builtin_bit_cast(To, from); // GCC 11, Clang 9, Visual C++ 19.27\n}\n\n";
+
+/// A header of core/math without its frame: what is included of the standard library stands above all of them.
 std::string flattened(std::string_view header)
 {
     std::string out;
@@ -22,9 +33,9 @@ std::string flattened(std::string_view header)
         if (!line.starts_with("#") && !line.starts_with("namespace reflectance") &&
             !line.starts_with("} // namespace reflectance"))
             out += std::string(line) + "\n";
-    const std::string_view pi = "std::numbers::pi";
-    for (std::size_t at = out.find(pi); at != std::string::npos; at = out.find(pi, at))
-        out.replace(at, pi.size(), "3.141592653589793");
+    for (const auto& [name, substitute] : substitutes)
+        for (std::size_t at = out.find(name); at != std::string::npos; at = out.find(name, at + substitute.size()))
+            out.replace(at, name.size(), substitute);
     return std::string(trimmed(out)) + "\n\n";
 }
 
@@ -38,7 +49,7 @@ std::string upper(std::string text)
 
 std::string supportText()
 {
-    std::string text;
+    std::string text(bitCast);
     for (const EmbeddedFile& file : exportedHeaders())
         text += flattened(file.bytes);
     return text;
@@ -135,13 +146,15 @@ std::string cppForm(const ExportSubject& subject)
     const ModelText& model = subject.model->text;
     const std::string space = "reflectance_" + codeName(model.id);
     const std::string guard = "REFLECTANCE_EXPORTED_" + upper(codeName(model.id)) + "_H";
-    std::string text =
-        headComment(model, subject.values) + "//\n// In double or float:  " + space + "::Model<double> model;  " +
-        "model.shade(N, L, V, I);  " + space + "::selfTest() is 0 where all is well.\n" +
-        "// To check this file alone: c++ -std=c++17 -x c++ -DREFLECTANCE_SELF_TEST FILE && ./a.out\n"
-        "#ifndef " +
-        guard + "\n#define " + guard + "\n\n#include <algorithm>\n#include <cmath>\n#include <limits>\n\nnamespace " +
-        space + " {\n\n" + supportText() + "template <class T> struct Model {\n";
+    std::string text = headComment(model, subject.values) + "//\n// In double or float:  " + space +
+                       "::Model<double> model;  " + "model.shade(N, L, V, I);  " + space +
+                       "::selfTest() is 0 where all is well.\n" +
+                       "// To check this file alone: c++ -std=c++17 -x c++ -DREFLECTANCE_SELF_TEST FILE && ./a.out\n"
+                       "#ifndef " +
+                       guard + "\n#define " + guard +
+                       "\n\n#include <algorithm>\n#include <array>\n#include <cmath>\n#include <cstdint>\n#include "
+                       "<limits>\n\nnamespace " +
+                       space + " {\n\n" + supportText() + "template <class T> struct Model {\n";
     for (const Parameter& parameter : model.parameters)
         text += memberOf(parameter, subject.values);
     text += frameOf(model) + "\n" + instantiated(std::string(trimmed(model.code)) + "\n", true) + "};\n\n" +
