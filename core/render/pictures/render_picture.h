@@ -25,7 +25,7 @@ struct RenderPlan {
     Place place = Place::Sample; ///< where the model is evaluated; the GL renderer knows Sample and Pixel
     LobeForm lobe = LobeForm::Conditioned;
     bool specialised = true;        ///< see Arithmetic
-    std::filesystem::path programs; ///< where linked shader programs are kept; empty: nowhere
+    std::filesystem::path programs = {}; ///< where linked shader programs are kept; empty: nowhere
     bool alsoGeneral = false;       ///< time the general path as well, with more than one frame
 };
 

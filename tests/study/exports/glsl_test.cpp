@@ -25,9 +25,10 @@ protected:
     int failures(const std::string& text, const std::string& id)
     {
         const Gl& gl = functions_->gl();
+        ProgramLinker linker(gl);
         const ShaderPiece stage{"stage", "layout(location = 0) out vec4 value;\nvoid main() { value = vec4(float(" +
                                              id + "_selfTest())); }\n"};
-        const auto program = GlProgram::link(gl, assembled({}, {shaderFile("gl/fullscreen.vert")}),
+        const auto program = GlProgram::link(linker, assembled({}, {shaderFile("gl/fullscreen.vert")}),
                                              assembled({}, {{"export", text}, stage}));
         if (!program) {
             ADD_FAILURE() << program.error().sentence();

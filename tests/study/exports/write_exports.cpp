@@ -31,7 +31,8 @@ std::string spaceOf(const std::string& id)
 std::string unitFor(const std::string& id)
 {
     const bool planted = id.starts_with("planted");
-    const std::string standard = "#include <algorithm>\n#include <cmath>\n#include <limits>\n";
+    const std::string standard =
+        "#include <algorithm>\n#include <array>\n#include <cmath>\n#include <cstdint>\n#include <limits>\n";
     return (planted ? standard + "namespace planted {\n" : "") + "#include \"" + id + ".h\"\n" +
            (planted ? "}\nusing namespace planted;\n" : "") + "int failures_" + id + "(bool single);\nint failures_" +
            id + "(bool single) { return single ? " + spaceOf(id) + "::selfTest<float>() : " + spaceOf(id) +
