@@ -177,9 +177,9 @@ void setLightAngle(ExplorerState& state, double degrees)
     Light& light = state.scene.lights[static_cast<std::size_t>(state.selectedLight)];
     const CameraFrame frame = frameOf(state.scene.camera);
     const Vec3d L = directionTo(light);
-    Vec3d aside = normalized(L - dot(L, frame.back) * frame.back);
-    if (aside == Vec3d())
-        aside = frame.right;
+    // Near the viewer's direction what is left beside it is rounding, and points anywhere.
+    const Vec3d beside = L - dot(L, frame.back) * frame.back;
+    const Vec3d aside = length(beside) > 1e-3 ? normalized(beside) : frame.right;
     const Vec3d moved = std::cos(radians(degrees)) * frame.back + std::sin(radians(degrees)) * aside;
     light.direction = moved;
     light.position = length(light.position) * moved;

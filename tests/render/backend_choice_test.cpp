@@ -56,7 +56,9 @@ protected:
     void SetUp() override { fs::remove_all(folder_); }
     void TearDown() override { fs::remove_all(folder_); }
 
-    const fs::path folder_ = fs::path(testing::TempDir()) / "backend_choice";
+    const fs::path folder_ =
+        fs::path(testing::TempDir()) / // tests run side by side
+        (std::string("backend_choice.") + testing::UnitTest::GetInstance()->current_test_info()->name());
     const Scene scene_ = twoLightScene("hybrid");
     const std::string class_ = sizeClass(scene_.mesh->triangles.size(), small, 1);
 };

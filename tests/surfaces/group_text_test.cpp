@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"name,", "title,", "no column is called 'name'", 6},
                     Damage{"0.5,", "half,", "no list of numbers for K", 7},
                     Damage{"0.5,", ",", "no list of numbers", 7},
-                    Damage{"0.5,", "0.5 0.6,", "takes 1, 3 or 9 numbers", 7}, Damage{"0.5,", "nan,", "out of range", 7},
+                    Damage{"0.5,", "0.5 0.6,", "takes 1, 3 or 9 numbers", 7}, Damage{"0.5,", "nan,", "is no list of numbers", 7},
                     Damage{"0.5,", "0.5, 1,", "4 cells", 7}, Damage{"One", "  ", "has no name", 7},
                     Damage{"Two (zoomed)", "one", "stands above already", 9}));
 

@@ -9,34 +9,32 @@ namespace {
 
 using namespace reflectance;
 
-/// "planted_..." are exports into which a fault was planted; they keep the name of what they were made from.
+/// The model that "planted_..." was made from; else the id itself.
+std::string modelOf(const std::string& id)
+{
+    return id == "planted_constant" ? "oren_nayar" : id == "planted_parameter" ? "ggx" : id;
+}
+
+/// With a fault planted, in a namespace of its own, since the good header has the model's.
 std::string headerFor(const std::string& id)
 {
-    const bool constant = id == "planted_constant";
-    const bool parameter = id == "planted_parameter";
-    const auto text = exported(test::subjectFor(constant ? "oren_nayar" : parameter ? "ggx" : id), ExportForm::Cpp);
-    if (!text)
-        return {};
-    if (constant)
-        return test::replaced(*text, "lit<T>(0.45)", "lit<T>(0.4501)");
-    return parameter ? test::replaced(*text, "T alpha = lit<T>(", "T alpha = lit<T>(1.001) * lit<T>(") : *text;
+    const auto text = exported(test::subjectFor(modelOf(id)), ExportForm::Cpp);
+    if (!text || modelOf(id) == id)
+        return text ? *text : std::string();
+    std::string planted = id == "planted_constant"
+                              ? test::replaced(*text, "lit<T>(0.45)", "lit<T>(0.4501)")
+                              : test::replaced(*text, "T alpha = lit<T>(", "T alpha = lit<T>(1.001) * lit<T>(");
+    const std::string space = "reflectance_" + modelOf(id);
+    for (std::size_t at = planted.find(space); at != std::string::npos; at = planted.find(space, at))
+        planted.replace(at, space.size(), "reflectance_" + id);
+    return planted;
 }
 
-std::string spaceOf(const std::string& id)
-{
-    return "reflectance_" + (id == "planted_constant" ? "oren_nayar" : id == "planted_parameter" ? "ggx" : id);
-}
-
-/// The whole unit stands in a namespace of its own, since a planted header has the names of the good one.
 std::string unitFor(const std::string& id)
 {
-    const bool planted = id.starts_with("planted");
-    const std::string standard =
-        "#include <algorithm>\n#include <array>\n#include <cmath>\n#include <cstdint>\n#include <limits>\n";
-    return (planted ? standard + "namespace planted {\n" : "") + "#include \"" + id + ".h\"\n" +
-           (planted ? "}\nusing namespace planted;\n" : "") + "int failures_" + id + "(bool single);\nint failures_" +
-           id + "(bool single) { return single ? " + spaceOf(id) + "::selfTest<float>() : " + spaceOf(id) +
-           "::selfTest<double>(); }\n";
+    const std::string selfTest = "reflectance_" + id + "::selfTest";
+    return "#include \"" + id + ".h\"\nint failures_" + id + "(bool single);\nint failures_" + id +
+           "(bool single) { return single ? " + selfTest + "<float>() : " + selfTest + "<double>(); }\n";
 }
 
 bool write(const std::string& path, const std::string& text)
