@@ -52,12 +52,13 @@ TEST(SufficientModels, LeaveTheHighlightToTheWholeSurface)
 {
     const auto map = sufficientModels(shinyScene(), smallSettings, 0.05, Metric::Max);
     ASSERT_TRUE(map);
-    const auto without = std::find_if(map->models.begin(), map->models.end(), [](const SufficientModel& m) {
-        return m.recipe.rungs == std::vector<std::string>{"no_highlight"};
-    });
-    ASSERT_NE(without, map->models.end());
-    EXPECT_GT(without->pixels, 0U) << "beside the highlight a matte body is enough";
-    EXPECT_GT(map->models.back().pixels, 0U) << "in it only the whole surface is";
+    std::size_t with = 0, without = 0; // with K as it is or a simpler one: which costs less is for the machine to say
+    for (const SufficientModel& m : map->models) {
+        const auto& rungs = m.recipe.rungs;
+        (std::find(rungs.begin(), rungs.end(), "no_highlight") == rungs.end() ? with : without) += m.pixels;
+    }
+    EXPECT_GT(without, 0U) << "beside the highlight a matte body is enough";
+    EXPECT_GT(with, 0U) << "in it only a surface with a highlight is";
 }
 
 TEST(SufficientModels, ATighterToleranceNeedsNoFewerOfTheWhole)
