@@ -110,7 +110,7 @@ TEST(Bars, GiveEveryButtonAnIdentityAndATooltip)
     const Faults faults = sweep(stage, place, {1280.0F, 44.0F}, {12.0F, 10.0F}, draw);
     EXPECT_TRUE(faults.shared.empty()) << pointsOf(faults.shared);
     EXPECT_TRUE(faults.silent.empty()) << pointsOf(faults.silent);
-    EXPECT_EQ(faults.controls, 13U) << "one of the buttons is not in the window";
+    EXPECT_EQ(faults.controls, 14U) << "one of the buttons is not in the window";
 }
 
 TEST(Bars, DrawMessagesAndLoadingAndHelpTogether)
