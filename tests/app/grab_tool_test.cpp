@@ -104,16 +104,16 @@ TEST(GrabTool, AnEdgeFollowsTheHandByItsExponent)
     EXPECT_NEAR(edgeOf(state).x, to.x, 1.5); // the search steps by half a pixel, the edge was taken within one
     EXPECT_EQ(state.scene.lights[0], before);
     state.history.watch(state, {}, {});
-    EXPECT_EQ(state.history.undoName(), "Exponent");
+    EXPECT_EQ(state.history.undoName(), "Phong exponent");
 }
 
 TEST(GrabTool, ATerminatorFollowsTheHand)
 {
     ExplorerState state = ballState();
     state.scene.lights[0].direction =
-        normalized(Vec3d(1.0, 0.0, -0.5)); // its terminator crosses the middle of the ball
+        normalized(Vec3d(1.0, 0.0, -0.5)); // its terminator crosses the ball right of its middle
     std::optional<Cursor> line;
-    for (double x = 250.0; x < 400.0 && !line; x += 1.0)
+    for (double x = 250.0; x < 480.0 && !line; x += 1.0)
         if (strokeAt(state, {x, 240.0}).kind == Stroke::Kind::Grab &&
             strokeAt(state, {x, 240.0}).taken == Grip::Terminator)
             line = Cursor{x, 240.0};

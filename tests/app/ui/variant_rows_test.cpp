@@ -41,7 +41,13 @@ TEST(VariantRows, EveryControlSaysWhatItDoes)
 {
     ExplorerState state = stateWithTwo();
     Stage stage(size.x, size.y);
-    const auto draw = [&] { stage.frameIn(place, size, [&] { variantRows(state); }); };
+    const auto draw = [&] {
+        ImGui::SetNextWindowPos(place);
+        ImGui::SetNextWindowSize(size);
+        ImGui::Begin("rows", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+        variantRows(state);
+        ImGui::End();
+    };
     const Scene before = state.scene;
     stage.click({30.0F, 16.0F}, draw); // opens the fold
     const Faults faults = sweep(stage, place, {size.x, 140.0F}, {6.0F, 5.0F}, draw);
