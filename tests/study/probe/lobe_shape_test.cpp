@@ -79,7 +79,7 @@ TEST(LobeShape, MeetsTheSharpestHighlightOnItsPeak)
     Scene scene = sceneWith("phong");
     scene.surface.values["n"] = {1e7};
     const LobeShape shape = shapeOf(scene);
-    EXPECT_NEAR(shape.largest, 0.25, 1e-6); // ks; the angle to R is rounded to 1e-16, its square times n is nothing
+    EXPECT_NEAR(shape.largest, 0.5, 1e-6); // ks; the angle to R is rounded to 1e-16, its square times n is nothing
     double farthest = 0.0;
     Vec3d peak;
     eachPlace(shape, [&](const Vec3d& place) {
