@@ -25,17 +25,12 @@ void drawProbes(Session& session, const Area& area)
     pollProbes(session);
     ExplorerState& state = session.state;
     const CompareView& compare = state.compare;
-    const float scale = session.window.scale();
-    const Panes panes = panesOf(compare, area, scale);
+    const Panes panes = panesOf(compare, area, session.window.scale());
     drawPane(session, panes.a, compare.on && compare.mode == CompareMode::Flip && compare.handOnB);
     if (compare.on && compare.mode == CompareMode::SideBySide)
         drawPane(session, panes.b, true);
     if (!session.viewport.dragging())
         drawProbeCard(state, {panes.a.x, panes.a.y}, {panes.a.right(), panes.a.bottom()});
-    const float margin = 12.0F * scale;
-    // Under the badge, or under the banner of a hazard's case, at the lower edge.
-    const float top = state.putAside ? area.bottom() - 84.0F * scale : area.y + margin + 32.0F * scale;
-    drawTermBanner(state, {area.x + margin, top}, area.width - 2.0F * margin);
 }
 
 } // namespace reflectance::explorer

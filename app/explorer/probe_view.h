@@ -1,4 +1,4 @@
-// Probed points over the picture: marks in every pane, the card of values, and that a term is seen alone.
+// Probed points over the picture: marks in every pane, and the card of values.
 #pragma once
 
 #include "app/explorer/session.h"

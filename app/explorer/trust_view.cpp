@@ -4,6 +4,7 @@
 #include "app/explorer/ui/compare_overlay.h"
 #include "app/explorer/ui/gl_badge.h"
 #include "app/explorer/ui/lens_legend.h"
+#include "app/explorer/ui/probe_card.h"
 #include "app/explorer/ui/stops_legend.h"
 
 #include <imgui.h>
@@ -56,6 +57,10 @@ void drawTrust(Session& session, const Area& area)
     drawGlBadge(state, {area.x + margin, top});
     drawCaseBanner(state, {area.x + margin, top + 32.0F * session.window.scale()},
                    {area.width - 2.0F * margin, area.height});
+    // Under the badge; a hazard's case has its own banner there.
+    const float scale = session.window.scale();
+    drawTermBanner(state, {area.x + margin, state.putAside ? area.bottom() - 84.0F * scale : top + 32.0F * scale},
+                   area.width - 2.0F * margin);
     if (state.scene.sensor.view.kind == SensorViewKind::FalseColor)
         drawStopsLegend({area.x + margin, area.bottom() - margin});
     if (state.lens)

@@ -1,4 +1,5 @@
-// What lies over the picture: GL's badge, the worst pixel's mark, the lens' legend and reading.
+// What lies over the picture: GL's badge, the worst pixel's mark, the lens' legend and reading, and that a term is
+// seen alone.
 #pragma once
 
 #include "app/explorer/session.h"

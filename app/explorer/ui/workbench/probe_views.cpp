@@ -11,7 +11,7 @@ namespace reflectance::explorer {
 namespace {
 
 constexpr int digits = 5;
-constexpr float nameWidth = 58.0F;
+constexpr float nameWidth = 58.0F, widestColumn = 80.0F;
 
 std::vector<std::string> numbersOf(const Vec3d& v, int places = digits)
 {
@@ -57,7 +57,8 @@ void row(const char* name, const std::vector<std::string>& values, const char* a
         const auto column = static_cast<float>(i % columns);
         if (i == 0 || i % columns != 0)
             ImGui::SameLine();
-        ImGui::SetCursorPosX(start + points(nameWidth) + column * std::max(widest, room / 3.0F));
+        ImGui::SetCursorPosX(start + points(nameWidth) +
+                             column * std::max(widest, std::min(room / 3.0F, points(widestColumn))));
         if (values.size() == 1)
             lines(values[i], color);
         else
@@ -192,8 +193,7 @@ void drawProbedSensor(const Probe& probe, const std::optional<ProbedPixel>& pixe
     row("clipped", clipped.empty() ? "nothing" : joined(clipped), "Channels below 0 or above 1 after exposure.",
         clipped.empty() ? palette::text : palette::warning);
     row("encoded", numbersOf(probe.encoded), "After the sensor's other parts and its encoding, 0 .. 1.");
-    row("code",
-        std::to_string(probe.codes[0]) + "  " + std::to_string(probe.codes[1]) + "  " + std::to_string(probe.codes[2]),
+    row("code", {std::to_string(probe.codes[0]), std::to_string(probe.codes[1]), std::to_string(probe.codes[2])},
         "What the window shows, 0 .. 255.");
     if (!pixel)
         return row("GL drew", "\u2026", "Once the picture rests, GL's pixel is held against double.", palette::quiet);
