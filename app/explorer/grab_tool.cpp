@@ -42,7 +42,19 @@ double exponentIn(const Surface& surface, const Parameter& n)
 Result<Light> movedLight(const Stroke& stroke, const ProbedPoint& point, const Scene& seen)
 {
     return stroke.taken == Grip::Terminator ? withTerminatorAt(stroke.lightBefore, point)
-                                           : withSpotAt(stroke.lightBefore, seen.camera.eye, point, spotKindOf(seen));
+                                            : withSpotAt(stroke.lightBefore, seen.camera.eye, point, spotKindOf(seen));
+}
+
+/// Where the stroke began everything is as it was, to the last bit: a click changes nothing.
+void takeBack(const Stroke& stroke, const CompareView& compare, Scene& scene)
+{
+    const auto light = static_cast<std::size_t>(stroke.light);
+    Surface& surface = surfaceInHand(compare, scene);
+    const Parameter* n = exponentOf(surface);
+    if (stroke.taken == Grip::Edge && n && exponentIn(surface, *n) != stroke.exponentBefore)
+        surface.values[n->name] = {stroke.exponentBefore};
+    else if (stroke.taken != Grip::Edge && isIn(light, scene))
+        scene.lights[light] = stroke.lightBefore;
 }
 
 } // namespace
@@ -82,8 +94,10 @@ Stroke grabStroke(const Grasp& grasp, Cursor cursor, ViewSize size, const Compar
 
 Result<void> follow(const Stroke& stroke, ViewSize size, Cursor cursor, const CompareView& compare, Scene& scene)
 {
-    if (cursor.x == stroke.start.x && cursor.y == stroke.start.y)
-        return {}; // a click must not change the last bit of a direction
+    if (cursor.x == stroke.start.x && cursor.y == stroke.start.y) {
+        takeBack(stroke, compare, scene);
+        return {};
+    }
     const auto light = static_cast<std::size_t>(stroke.light);
     const auto point = pointUnder(cursor, size, scene);
     if (!point || !isIn(light, scene))

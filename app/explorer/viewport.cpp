@@ -51,8 +51,14 @@ void continueGrab(ExplorerState& state, Viewport& viewport, Cursor cursor)
         viewport.pressed.to = cursor;
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
+    const bool click = cursor.x == viewport.stroke.start.x && cursor.y == viewport.stroke.start.y;
     viewport.stroke = {};
     state.grab.problem.clear();
+    if (click) {
+        probeUnder(state, viewport.pressed.from, viewport.view.size);
+        viewport.done.emplace_back(RecordedProbe{viewport.pressed.from, viewport.view.size});
+        return;
+    }
     viewport.done.emplace_back(viewport.pressed);
 }
 

@@ -91,6 +91,20 @@ TEST(GrabTool, AClickChangesNothing)
     EXPECT_EQ(state.scene.lights[0], before);
 }
 
+TEST(GrabTool, BackWhereItBeganEverythingIsAsItWas)
+{
+    ExplorerState state = ballState();
+    const Scene before = state.scene;
+    const ProbedPoint spot = spotOf(state);
+    for (const Cursor start : {Cursor{spot.x, spot.y}, edgeOf(state)}) {
+        const Stroke stroke = strokeAt(state, start);
+        ASSERT_TRUE(follow(stroke, size, {start.x + 30.0, start.y}, state.compare, state.scene));
+        EXPECT_FALSE(state.scene == before);
+        ASSERT_TRUE(follow(stroke, size, start, state.compare, state.scene));
+        EXPECT_TRUE(state.scene == before);
+    }
+}
+
 TEST(GrabTool, AnEdgeFollowsTheHandByItsExponent)
 {
     ExplorerState state = ballState();
