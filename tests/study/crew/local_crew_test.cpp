@@ -168,7 +168,8 @@ TEST(LocalCrews, EndWithAnOwnerWhoWasKilled)
 /// Else a killed sweep's file would stay locked.
 TEST(LocalCrews, HoldNothingOfTheirOwnersOpen)
 {
-    const std::string path = (std::filesystem::temp_directory_path() / "crew_lock").string();
+    const std::string path =
+        (std::filesystem::temp_directory_path() / ("crew_lock_" + std::to_string(::getpid()))).string();
     const int first = ::open(path.c_str(), O_RDWR | O_CREAT, 0600);
     ASSERT_EQ(::flock(first, LOCK_EX), 0);
     const auto crew = crewOf(2);

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace reflectance {
 namespace {
@@ -31,7 +32,7 @@ TEST(KeptMeshes, GiveTheSceneOfTheReader)
 /// The file is removed between two cells: whoever reads it again notices.
 TEST(KeptMeshes, ReadAFileOnce)
 {
-    const fs::path file = fs::temp_directory_path() / "kept_mesh.obj";
+    const fs::path file = fs::temp_directory_path() / ("kept_mesh_" + std::to_string(::getpid()) + ".obj");
     ASSERT_TRUE(writeAtomically(file.string(), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
     const std::string text = R"({"mesh": ")" + file.filename().string() + R"(", "surface": {"model": ")";
     KeptMeshes meshes;

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace reflectance {
 namespace {
@@ -35,7 +36,8 @@ protected:
     void SetUp() override
     {
         folder_ = fs::temp_directory_path() /
-                  ("sweep_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+                  ("sweep_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" +
+                   std::to_string(::getpid())); // the same test may run in two trees at once
         fs::remove_all(folder_);
         fs::create_directories(folder_);
         options_.out = (folder_ / "out.csv").string();
