@@ -1,9 +1,6 @@
 # cpack: Debian packages (one per component) and a relocatable archive of the program.
 set(CPACK_PACKAGE_NAME reflectance)
 set(CPACK_PACKAGE_VENDOR "the authors of the Reflectance Explorer")
-# A domain that RFC 2606 keeps free of anybody's mail: who gives packages away names here who answers for them.
-set(REFLECTANCE_PACKAGE_CONTACT "The authors of the Reflectance Explorer <reflectance@example.org>" CACHE STRING
-  "Who answers for the packages: NAME <ADDRESS>")
 set(CPACK_PACKAGE_CONTACT "${REFLECTANCE_PACKAGE_CONTACT}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "understand, compare and trust reflectance models")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")

@@ -20,7 +20,7 @@ endif()
 must("dpkg-deb --contents" dpkg-deb --contents "${package}")
 foreach(file bin/reflectance share/applications/reflectance.desktop share/icons/hicolor/256x256/apps/reflectance.png
     share/mime/packages/reflectance.xml share/man/man1/reflectance.1.gz share/bash-completion/completions/reflectance
-    share/doc/reflectance/copyright share/doc/reflectance/changelog.gz)
+    share/doc/reflectance/copyright share/doc/reflectance/changelog.gz share/doc/reflectance/CHANGELOG.md.gz)
   says("the list of files" "root/root[^\n]* ./usr/${file}\n")
 endforeach()
 if(out MATCHES "(^|\n)[^\n]*(/home/|/tmp/|/include/|\\.a\n)")
@@ -37,6 +37,10 @@ foreach(program "${SCRATCH}/unpacked/usr/bin/reflectance" "${SCRATCH}/archive/bi
 endforeach()
 must("compare" "${SCRATCH}/unpacked/usr/bin/reflectance" compare "${SCRATCH}/unpacked/usr/bin/reflectance.exr"
   "${SCRATCH}/archive/bin/reflectance.exr" --threshold 0)
+
+# Debian's own form of a changelog, dated.
+must("gzip" gzip -dc "${SCRATCH}/unpacked/usr/share/doc/reflectance/changelog.gz")
+says("the changelog" "^reflectance \\(${VERSION}\\) unstable; urgency=medium\n\n  \\* .*\n -- [^\n]+ <[^\n]+>  [A-Z][a-z][a-z], [0-9][0-9] ")
 
 # The manual page names every verb and troff has nothing to complain of.
 must("gzip" gzip -dc "${SCRATCH}/unpacked/usr/share/man/man1/reflectance.1.gz")
