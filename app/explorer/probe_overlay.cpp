@@ -118,12 +118,12 @@ void drawMarker(const Pen& pen, const FoundProbe& found, const std::string& name
         pen.canvas.AddCircleFilled(centre, pen.points(2.5F), faded(white), 16);
         return;
     }
-    const float radius = pen.points(8);
+    const float radius = pen.points(9);
     pen.canvas.AddCircleFilled(centre, radius + pen.points(2), rim, 24);
     pen.canvas.AddCircleFilled(centre, radius, faded(looked ? palette::chosen : palette::raised), 24);
-    pen.canvas.AddCircle(centre, radius, faded(looked ? palette::accent : palette::text), 24, pen.points(1.5F));
-    const ImVec2 size = sizeIn(Face::Small, name);
-    drawText(pen.canvas, Face::Small, {centre.x - size.x / 2, centre.y - size.y / 2}, faded(palette::text), name);
+    pen.canvas.AddCircle(centre, radius, faded(looked ? palette::accent : white), 24, pen.points(1.5F));
+    const ImVec2 size = sizeIn(Face::Strong, name);
+    drawText(pen.canvas, Face::Strong, {centre.x - size.x / 2, centre.y - size.y / 2}, faded(white), name);
 }
 
 } // namespace

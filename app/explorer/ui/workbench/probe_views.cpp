@@ -10,8 +10,9 @@
 namespace reflectance::explorer {
 namespace {
 
-constexpr int digits = 5;
-constexpr float nameWidth = 58.0F, widestColumn = 80.0F;
+/// As the filled-in statements have; what is copied has all of them.
+constexpr int digits = 4;
+constexpr float nameWidth = 54.0F, widestColumn = 80.0F;
 
 std::vector<std::string> numbersOf(const Vec3d& v, int places = digits)
 {
