@@ -21,9 +21,21 @@ const Light* selectedLight(const ExplorerState& state)
     return state.selectedLight >= 0 && index < lights.size() ? &lights[index] : nullptr;
 }
 
-Vec3d directionTo(const Light& light)
+/// The point that the curves are about: the one that is probed, else one at the origin that faces the viewer.
+struct Stand {
+    Vec3d P, N;
+};
+
+Stand standOf(const ExplorerState& state)
 {
-    return normalized(light.kind == LightKind::Point ? light.position : light.direction);
+    if (const ProbePlace* place = state.probe.place())
+        return {place->point.P, place->point.N};
+    return {{}, frameOf(state.scene.camera).back};
+}
+
+Vec3d directionTo(const Light& light, const Vec3d& P)
+{
+    return normalized(light.kind == LightKind::Point ? light.position - P : light.direction);
 }
 
 /// The model with this id for the surface: its own, or one of the catalogue.
@@ -164,9 +176,9 @@ std::optional<double> lightAngle(const ExplorerState& state)
     const Light* light = selectedLight(state);
     if (!light)
         return std::nullopt;
-    const Vec3d back = frameOf(state.scene.camera).back;
-    const Vec3d L = directionTo(*light);
-    return degrees(std::atan2(length(cross(back, L)), dot(back, L)));
+    const auto [P, N] = standOf(state);
+    const Vec3d L = directionTo(*light, P);
+    return degrees(std::atan2(length(cross(N, L)), dot(N, L)));
 }
 
 void setLightAngle(ExplorerState& state, double degrees)
@@ -175,14 +187,15 @@ void setLightAngle(ExplorerState& state, double degrees)
     if (!selected)
         return;
     Light& light = state.scene.lights[static_cast<std::size_t>(state.selectedLight)];
-    const CameraFrame frame = frameOf(state.scene.camera);
-    const Vec3d L = directionTo(light);
-    // Near the viewer's direction what is left beside it is rounding, and points anywhere.
-    const Vec3d beside = L - dot(L, frame.back) * frame.back;
-    const Vec3d aside = length(beside) > 1e-3 ? normalized(beside) : frame.right;
-    const Vec3d moved = std::cos(radians(degrees)) * frame.back + std::sin(radians(degrees)) * aside;
+    const auto [P, N] = standOf(state);
+    const Vec3d L = directionTo(light, P);
+    // Near the normal what is left beside it is rounding, and points anywhere.
+    const Vec3d beside = L - dot(L, N) * N;
+    const Vec3d right = frameOf(state.scene.camera).right;
+    const Vec3d aside = normalized(length(beside) > 1e-3 ? beside : right - dot(right, N) * N);
+    const Vec3d moved = std::cos(radians(degrees)) * N + std::sin(radians(degrees)) * aside;
     light.direction = moved;
-    light.position = length(light.position) * moved;
+    light.position = P + length(light.position - P) * moved;
 }
 
 std::vector<BallLight> ballLights(const Scene& scene)

@@ -57,7 +57,7 @@ struct CurvesPage {
     CurveSettings settings;            ///< its thetaI follows
     std::vector<std::string> overlays; ///< ids of models beside the current one
     PlotTab tab = PlotTab::Curves;
-    bool linked = false; ///< thetaI is the selected light's, at the point that faces the viewer
+    bool linked = false; ///< thetaI is the selected light's, at the probed point or one that faces the viewer
     LobeView view;
     double deltaPhi = 180.0;
     std::string parameter; ///< of the wedge; empty, or unknown to the model: its first
@@ -84,7 +84,8 @@ struct CurvesPage {
 /// The parameter that the wedge varies; null where the model has none that can be.
 [[nodiscard]] const Parameter* wedgeParameter(const CurvesPage& page, const ModelText& model);
 
-/// The angle in degrees between the selected light and the viewer's direction; nothing without a light.
+/// The angle in degrees between N and the selected light at the point that is probed; without one, at a point that faces the
+/// viewer. Nothing without a light.
 [[nodiscard]] std::optional<double> lightAngle(const ExplorerState& state);
 
 /// Moves the selected light to that angle, in the plane that it is in.

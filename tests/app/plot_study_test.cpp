@@ -116,6 +116,23 @@ TEST(LightAngle, IsKeptByTheLightThatItMoves)
     EXPECT_FALSE(lightAngle(state));
 }
 
+TEST(LightAngle, IsThatAtTheProbedPoint)
+{
+    ExplorerState state = stateWith("phong");
+    Light& light = state.scene.lights[0];
+    light.kind = LightKind::Point;
+    light.position = {1.0, 2.0, 3.0};
+    ProbePlace place;
+    place.point.P = {1.0, 1.0, 3.0};
+    place.point.N = {0.0, 0.6, 0.8};
+    state.probe.probe(place);
+    // L is the y axis: its cosine with N is 0.6.
+    EXPECT_NEAR(*lightAngle(state), 53.13010235415598, 1e-12);
+    setLightAngle(state, 20.0);
+    EXPECT_NEAR(*lightAngle(state), 20.0, 1e-9);
+    EXPECT_NEAR(length(light.position - place.point.P), 1.0, 1e-12) << "its distance from the point stays";
+}
+
 /// A light along the viewer's direction is at z; what is left of an orthonormal turn is 1e-15.
 TEST(BallLights, AreTheScenesAsTheViewerHasThem)
 {

@@ -44,9 +44,9 @@ void angleRows(ExplorerState& state)
     if (toggleButton("Linked to the scene's light", page.linked, {-1, 0}))
         page.linked = !page.linked;
     ImGui::EndDisabled();
-    tooltip("\u03B8_i is that of the selected light where the surface faces you: dragging the light moves the curves, "
-            "and the "
-            "slider moves the light.");
+    tooltip(
+        "\u03B8_i is that of the selected light at the probed point (click the object), else where the surface faces "
+        "you: dragging the light moves the curves, and the slider moves the light.");
 }
 
 void quantityRow(CurveSettings& settings)
