@@ -51,7 +51,7 @@ void keepOffDiagonal(Surface& surface)
     if (!K)
         return blacken(surface);
     std::vector<double> rows = valueOf(*K, surface.values);
-    for (const std::size_t diagonal : {0, 4, 8})
+    for (const std::size_t diagonal : {0U, 4U, 8U})
         rows[diagonal] = 0.0;
     if (!walked::dissected(modelOf(surface).text)->alone.empty())
         keepTerm(surface, "diffuse");

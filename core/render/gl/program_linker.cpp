@@ -135,7 +135,7 @@ ProgramLinker::ProgramLinker(const Gl& gl, fs::path folder)
 std::string ProgramLinker::keyOf(const ShaderSource& vertex, const ShaderSource& fragment) const
 {
     std::string key(programVersion());
-    for (const GLenum name : {GL_VENDOR, GL_RENDERER, GL_VERSION})
+    for (const GLenum name : std::initializer_list<GLenum>{GL_VENDOR, GL_RENDERER, GL_VERSION})
         key += std::string("\n") + reinterpret_cast<const char*>(gl_->GetString(name));
     return key + "\n" + vertex.text + "\n" + fragment.text + "\n";
 }
