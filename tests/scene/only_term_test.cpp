@@ -91,7 +91,7 @@ TEST(OnlyTerm, DiffuseIsTheMatrixAloneAndOffDiagonalWhatADiagonalLeavesOut)
     EXPECT_LE(length(alone(scene, "diffuse") - seen(sceneWith("lambert_color"))), 1e-15); // cosine from the other side
     Scene diagonal = sceneWith("lambert_color");
     std::vector<double> K = valueOf(*modelOf(diagonal).text.find("K"), {});
-    for (const std::size_t off : {1, 2, 3, 5, 6, 7})
+    for (const std::size_t off : {1U, 2U, 3U, 5U, 6U, 7U})
         K[off] = 0.0;
     diagonal.surface.values["K"] = K;
     EXPECT_LE(length(alone(scene, "offdiagonal") + seen(diagonal) - seen(sceneWith("lambert_color"))), 1e-15);
