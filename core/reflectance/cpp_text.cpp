@@ -1,15 +1,12 @@
 #include "core/reflectance/cpp_text.h"
 
+#include "core/reflectance/words.h"
+
 #include <algorithm>
 #include <cctype>
 
 namespace reflectance {
 namespace {
-
-bool isWordLetter(char c)
-{
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 /// Whole numbers count and index; they are the same in every precision.
 bool isWhole(std::string_view literal)

@@ -1,6 +1,7 @@
 #include "core/reflectance/walked/tokens.h"
 
 #include "core/base/text.h"
+#include "core/reflectance/words.h"
 
 #include <cctype>
 
@@ -8,11 +9,6 @@ namespace reflectance::walked {
 namespace {
 
 constexpr std::size_t mostBytes = 1 << 18;
-
-bool isWordLetter(char c)
-{
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 bool isDigit(char c)
 {

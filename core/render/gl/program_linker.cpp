@@ -1,5 +1,6 @@
 #include "core/render/gl/program_linker.h"
 
+#include "core/base/digest.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
@@ -63,15 +64,6 @@ bool takesBinaries(const Gl& gl)
     return formats > 0;
 }
 
-/// FNV-1a of 64 bits (Fowler, Noll, Vo): names files and tells damaged ones, where no enemy is expected.
-std::uint64_t hashOf(std::string_view bytes)
-{
-    std::uint64_t hash = 14695981039346656037U;
-    for (const char byte : bytes)
-        hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
-    return hash;
-}
-
 struct Binary {
     GLenum format = 0;
     std::string bytes;
@@ -79,11 +71,11 @@ struct Binary {
 
 constexpr std::string_view firstWords = "reflectance program 1\n";
 
-/// A line of three numbers - format, length of the key, hash of the binary - then the key, then the binary.
+/// A line of two numbers and a word - format, length of the key, digest of the binary - then the key, then the binary.
 std::string packed(const std::string& key, const Binary& binary)
 {
     return std::string(firstWords) + std::to_string(binary.format) + " " + std::to_string(key.size()) + " " +
-           std::to_string(hashOf(binary.bytes)) + "\n" + key + binary.bytes;
+           digestOf(binary.bytes) + "\n" + key + binary.bytes;
 }
 
 std::optional<std::uint64_t> takeNumber(std::string_view& text)
@@ -104,11 +96,15 @@ std::optional<Binary> unpacked(std::string_view file, const std::string& key)
     file.remove_prefix(firstWords.size());
     const auto format = takeNumber(file);
     const auto length = takeNumber(file);
-    const auto hash = takeNumber(file);
-    if (!format || !length || !hash || *length != key.size() || !file.starts_with(key))
+    const std::size_t end = file.find('\n');
+    if (!format || !length || *length != key.size() || end == std::string_view::npos)
+        return std::nullopt;
+    const std::string_view digest = file.substr(0, end);
+    file.remove_prefix(end + 1);
+    if (!file.starts_with(key))
         return std::nullopt;
     file.remove_prefix(key.size());
-    if (hashOf(file) != *hash)
+    if (digestOf(file) != digest)
         return std::nullopt;
     return Binary{static_cast<GLenum>(*format), std::string(file)};
 }
@@ -142,7 +138,7 @@ std::string ProgramLinker::keyOf(const ShaderSource& vertex, const ShaderSource&
 
 fs::path ProgramLinker::fileOf(const std::string& key) const
 {
-    return folder_ / (std::to_string(hashOf(key)) + ".bin");
+    return folder_ / (digestOf(key) + ".bin");
 }
 
 bool ProgramLinker::load(const GlProgramObject& program, const std::string& key) const

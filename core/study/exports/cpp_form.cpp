@@ -88,21 +88,21 @@ std::string frameOf(const ModelText& model)
                 "    T insideLight(const Vec3<T>& R, const Vec3<T>& V) const\n    {\n"
                 "        const Vec3<T> chord = R - V;\n        return gate(lightDisc - dot(chord, chord), "
                 "lit<T>(1.0));\n    }\n\n";
-    if (hasWord(model.code, "environment"))
+    if (occurrences("environment", model.code) > 0)
         text += "    Vec3<T> (*surroundings)(const Vec3<T>& direction) = nullptr; ///< what a mirror sees; null: "
                 "nothing\n\n"
                 "    Vec3<T> environment(const Vec3<T>& direction) const\n    {\n"
                 "        return surroundings ? surroundings(direction) : Vec3<T>();\n    }\n\n";
     // GLSL's functions that only texts of one's own call.
-    if (hasWord(model.code, "length") || hasWord(model.code, "normalize"))
+    if (occurrences("length", model.code) > 0 || occurrences("normalize", model.code) > 0)
         text += "    static T length(const Vec3<T>& a) { return sqrt(dot(a, a)); }\n"
                 "    static Vec3<T> normalize(const Vec3<T>& a) { return a / length(a); }\n";
-    if (hasWord(model.code, "sign"))
+    if (occurrences("sign", model.code) > 0)
         text += "    static T sign(T a) { return a > T(0) ? T(1) : a < T(0) ? T(-1) : T(0); }\n";
     for (const char* name : {"exp", "log", "sin", "cos", "tan", "asin", "acos"})
-        if (hasWord(model.code, name))
+        if (occurrences(name, model.code) > 0)
             text += std::string("    static T ") + name + "(T a) { return std::" + name + "(a); }\n";
-    if (hasWord(model.code, "atan"))
+    if (occurrences("atan", model.code) > 0)
         text += "    static T atan(T a) { return std::atan(a); }\n"
                 "    static T atan(T a, T b) { return std::atan2(a, b); }\n";
     return text;

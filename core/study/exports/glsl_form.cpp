@@ -49,7 +49,7 @@ std::set<std::string, std::less<>> definedIn(std::string_view code)
             if (line.starts_with(type)) {
                 const std::string_view rest = line.substr(type.size());
                 std::size_t end = 0;
-                while (end < rest.size() && isNameLetter(rest[end]))
+                while (end < rest.size() && isWordLetter(rest[end]))
                     ++end;
                 names.emplace(rest.substr(0, end));
             }

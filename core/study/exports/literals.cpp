@@ -80,14 +80,4 @@ std::string headComment(const ModelText& model, const std::vector<double>& value
     return text;
 }
 
-bool hasWord(std::string_view code, std::string_view word)
-{
-    for (std::size_t at = code.find(word); at != std::string_view::npos; at = code.find(word, at + 1)) {
-        const std::size_t end = at + word.size();
-        if ((at == 0 || !isNameLetter(code[at - 1])) && (end == code.size() || !isNameLetter(code[end])))
-            return true;
-    }
-    return false;
-}
-
 } // namespace reflectance::exports

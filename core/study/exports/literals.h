@@ -3,6 +3,7 @@
 
 #include "core/math/vec.h"
 #include "core/reflectance/model_text.h"
+#include "core/reflectance/words.h"
 
 #include <algorithm>
 #include <string>
@@ -26,14 +27,6 @@ namespace reflectance::exports {
 /// What is said above every exported code: name, formula, citation, what the factor means, the parameters with their values.
 [[nodiscard]] std::string headComment(const ModelText& model, const std::vector<double>& values);
 
-/// Whether `word` occurs in the code as a whole word.
-[[nodiscard]] bool hasWord(std::string_view code, std::string_view word);
-
-[[nodiscard]] constexpr bool isNameLetter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 /// Code with `renamed` applied to every identifier that stands neither in a // remark nor behind a point.
 template <class Renamed> [[nodiscard]] std::string withNames(std::string_view code, const Renamed& renamed)
 {
@@ -43,8 +36,8 @@ template <class Renamed> [[nodiscard]] std::string withNames(std::string_view co
         if (code.substr(i, 2) == "//") {
             end = std::min(code.find('\n', i), code.size());
             out += code.substr(i, end - i);
-        } else if (isNameLetter(code[i])) {
-            while (end < code.size() && isNameLetter(code[end]))
+        } else if (isWordLetter(code[i])) {
+            while (end < code.size() && isWordLetter(code[end]))
                 ++end;
             const std::string_view word = code.substr(i, end - i);
             out += i > 0 && code[i - 1] == '.' ? std::string(word) : std::string(renamed(word));

@@ -1,5 +1,6 @@
 #include "app/explorer/ui/workbench/curves_controls.h"
 
+#include "app/explorer/ui/angle_rows.h"
 #include "app/explorer/ui/number_row.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/math/angle.h"
@@ -28,17 +29,10 @@ void angleRows(ExplorerState& state)
     page.linked = page.linked && ofLight.has_value();
     if (page.linked)
         page.thetaI = std::min(*ofLight, 89.999);
-    NumberRow row;
-    row.name = "theta_i";
-    row.symbol = "\u03B8_i";
-    row.label = "Light";
-    row.unit = "\u00B0";
-    row.about = "Angle between the normal N and the direction L to the light. L, V and R lie in one plane.";
-    row.sliderMax = 89.0;
-    row.legalMin = 0.0;
-    row.legalMax = 89.999;
-    row.initial = 40.0;
-    if (numberRow(row, page.thetaI, state.message) && page.linked)
+    constexpr IncidenceRow limits{
+        "Angle between the normal N and the direction L to the light. L, V and R lie in one plane.", 89.0, 89.999,
+        40.0};
+    if (incidenceRow(limits, page.thetaI, state.message) && page.linked)
         setLightAngle(state, page.thetaI);
     ImGui::BeginDisabled(!ofLight);
     if (toggleButton("Linked to the scene's light", page.linked, {-1, 0}))
@@ -164,20 +158,6 @@ void wedgeRows(ExplorerState& state)
     page.steps = 5 + 2 * chosen;
 }
 
-void azimuthRow(CurvesPage& page, std::optional<Message>& message)
-{
-    NumberRow row;
-    row.name = "delta_phi";
-    row.symbol = "\u0394\u03C6";
-    row.label = "Azimuth";
-    row.unit = "\u00B0";
-    row.about = "Between the azimuths of L and V. At 180 the map holds the mirror direction, along its diagonal.";
-    row.sliderMax = row.legalMax = 180.0;
-    row.legalMin = 0.0;
-    row.initial = 180.0;
-    numberRow(row, page.deltaPhi, message);
-}
-
 } // namespace
 
 void drawCurvesControls(ExplorerState& state)
@@ -188,7 +168,7 @@ void drawCurvesControls(ExplorerState& state)
     if (aboutOneLight)
         angleRows(state);
     if (tab == PlotTab::Map)
-        azimuthRow(page, state.message);
+        azimuthRow(page.deltaPhi, state.message);
     if (tab == PlotTab::Wedge)
         wedgeRows(state);
     if (aboutOneLight || tab == PlotTab::Map)

@@ -1,6 +1,6 @@
 #include "app/explorer/ui/workbench/fit_page.h"
 
-#include "app/explorer/ui/number_row.h"
+#include "app/explorer/ui/angle_rows.h"
 #include "app/explorer/ui/savable_plot.h"
 #include "app/explorer/ui/widgets.h"
 #include "app/explorer/ui/workbench/photograph_view.h"
@@ -158,17 +158,8 @@ void drawResult(const FitOutcome& outcome, ExplorerState& state)
 
 void incidenceRow(FitStudy& study, std::optional<Message>& message)
 {
-    NumberRow row;
-    row.name = "theta_i";
-    row.symbol = "\u03B8_i";
-    row.label = "Light";
-    row.unit = "\u00B0";
-    row.about = "Angle between N and the light in the plot. The fit itself looks at every sample.";
-    row.sliderMax = 85.0;
-    row.legalMin = 0.0;
-    row.legalMax = 89.0;
-    row.initial = 30.0;
-    numberRow(row, study.thetaI, message);
+    incidenceRow({"Angle between N and the light in the plot. The fit itself looks at every sample.", 85.0, 89.0, 30.0},
+                 study.thetaI, message);
 }
 
 void drawControls(ExplorerState& state)

@@ -1,5 +1,6 @@
 #include "app/explorer/ui/workbench/laboratory_page.h"
 
+#include "app/explorer/ui/angle_rows.h"
 #include "app/explorer/ui/number_row.h"
 #include "app/explorer/ui/parameter_rows.h"
 #include "app/explorer/ui/savable_plot.h"
@@ -174,17 +175,9 @@ void useRows(ExplorerState& state, const LabRun& run)
 
 void incidenceRow(ExplorerState& state)
 {
-    NumberRow row;
-    row.name = "theta_i";
-    row.symbol = "\u03B8_i";
-    row.label = "Light";
-    row.unit = "\u00B0";
-    row.about = "Angle between N and the light in the plots; the nearest one that is measured is shown.";
-    row.sliderMax = 80.0;
-    row.legalMin = 0.0;
-    row.legalMax = 90.0;
-    row.initial = 60.0;
-    numberRow(row, state.lab.thetaI, state.message);
+    incidenceRow(
+        {"Angle between N and the light in the plots; the nearest one that is measured is shown.", 80.0, 90.0, 60.0},
+        state.lab.thetaI, state.message);
 }
 
 void drawResult(ExplorerState& state, const LabRun& run)

@@ -1,6 +1,6 @@
 #include "app/explorer/ui/workbench/table_page.h"
 
-#include "app/explorer/ui/number_row.h"
+#include "app/explorer/ui/angle_rows.h"
 #include "app/explorer/ui/savable_plot.h"
 #include "app/explorer/ui/table_rows.h"
 #include "app/explorer/ui/widgets.h"
@@ -23,20 +23,6 @@ bool choose(const char* id, std::span<const Choice> choices, int current, int& c
         return false;
     chosen = pressed;
     return true;
-}
-
-bool azimuthRow(TablePage& page, std::optional<Message>& message)
-{
-    NumberRow row;
-    row.name = "delta_phi";
-    row.symbol = "\u0394\u03C6";
-    row.label = "Azimuth";
-    row.unit = "\u00B0";
-    row.about = "Between the azimuths of L and V. At 180 the map holds the mirror direction, along its diagonal.";
-    row.sliderMax = row.legalMax = 180.0;
-    row.legalMin = 0.0;
-    row.initial = 180.0;
-    return numberRow(row, page.settings.deltaPhi, message);
 }
 
 /// Which number of a colour or of a matrix.
@@ -137,7 +123,7 @@ void drawTablePage(ExplorerState& state)
     bool changed = false;
     if (table) {
         changed |= whatRows(page);
-        changed |= azimuthRow(page, state.message);
+        changed |= azimuthRow(page.settings.deltaPhi, state.message);
         changed |= channelRows(table->table, page.settings);
         drawFacts(page.facts);
         remark("A click on the map moves the selected light: a point that is tilted \u03B8_r from you, to the right, "
