@@ -172,7 +172,7 @@ TEST(GrabTool, KeysMoveTheSpotAndItsEdge)
     press({"Up", true}, state);
     const ProbedPoint now = spotOf(state);
     // Where the keys begin the spot is known to a quarter of a pixel, and so it is found again.
-    EXPECT_NEAR(now.x, before.x - 40.0, 1.0);
+    EXPECT_NEAR(now.x, before.x - 40.0, 1.0); // the peak is held to a pixel
     EXPECT_NEAR(now.y, before.y - 1.0, 1.0);
     press({"Up", false, true}, state);
     EXPECT_NEAR(state.scene.surface.values["n"].front(), 40.0 * std::exp2(0.25), 1e-12);

@@ -126,7 +126,7 @@ TEST(LightAngle, IsThatAtTheProbedPoint)
     place.point.P = {1.0, 1.0, 3.0};
     place.point.N = {0.0, 0.6, 0.8};
     state.probe.probe(place);
-    // L is the y axis: its cosine with N is 0.6.
+    // L is the y axis: its cosine with N is 0.6. Roundings of an arc tangent in degrees.
     EXPECT_NEAR(*lightAngle(state), 53.13010235415598, 1e-12);
     setLightAngle(state, 20.0);
     EXPECT_NEAR(*lightAngle(state), 20.0, 1e-9);

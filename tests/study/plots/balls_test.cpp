@@ -25,7 +25,7 @@ TEST(Balls, ShowKdTimesTheCosineTimesTheLight)
     const float* const middle = strip.balls[0].picture.at(16, 16);
     const double aside = 0.5 / 33 / 0.94;
     const double cosine = std::sqrt(1.0 - 2.0 * aside * aside);
-    EXPECT_NEAR(middle[0], 0.8 * cosine, 1e-6);
+    EXPECT_NEAR(middle[0], 0.8 * cosine, 1e-6); // pictures are float
     EXPECT_NEAR(middle[1], 0.4 * cosine, 1e-6);
     EXPECT_NEAR(middle[2], 1.6 * cosine, 1e-6);
     EXPECT_EQ(strip.balls[0].picture.coverage[0], 0.0F) << "a corner lies beside the ball";
@@ -54,7 +54,7 @@ TEST(Balls, HoldTheCoresNumbers)
             const Observation row{*N, {0, 0, 1}, {{L, {1.0, 0.5, 2.0}, 0.0}}};
             sum += evaluate(*clay.model, clay.values, {&row, 1}, Precision::Double)[0].x / 4;
         }
-    EXPECT_NEAR(strip.balls[0].picture.at(20, 12)[0], sum, 1e-6);
+    EXPECT_NEAR(strip.balls[0].picture.at(20, 12)[0], sum, 1e-6); // pictures are float
 }
 
 TEST(Balls, OfMirrorsShowADisc)
