@@ -342,9 +342,10 @@ void addRender(CLI::App& program, int& exitCode)
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
         ->capture_default_str();
     verb->add_option("--shading", options->shading,
-                     "where the model is evaluated: pixel (at every sample, the default), once (per pixel), vertex "
+                     "where the model is evaluated: pixel (at every sample, the default), fragment (once per "
+                     "triangle in a pixel, as multisampling does), once (per pixel), vertex "
                      "(interpolated over triangles; CPU) or face (CPU)")
-        ->check(CLI::IsMember({"pixel", "once", "vertex", "face"}));
+        ->check(CLI::IsMember({"pixel", "fragment", "once", "vertex", "face"}));
     verb->add_option("--lobe", options->lobe,
                      "how a highlight's (R.V)^n is computed: conditioned (right, the default), power, squarings (whole "
                      "n), truncated, schlick or table");

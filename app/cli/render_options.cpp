@@ -27,7 +27,8 @@ Result<RenderPlan> planFrom(const RenderOptions& options)
     plan.place = options.shading == "vertex" ? Place::Vertex
                  : options.shading == "face" ? Place::Face
                  : options.shading == "once" ? Place::Pixel
-                                             : Place::Sample;
+                 : options.shading == "fragment" ? Place::Fragment
+                                                 : Place::Sample;
     const auto lobe = lobeFormNamed(options.lobe.empty() ? "conditioned" : options.lobe);
     if (!lobe)
         return lobe.error();

@@ -27,7 +27,7 @@ constexpr NamedValue<VariantView> shownNames[] = {{"A", VariantView::A},
 constexpr NamedValue<int> backends[] = {{"gl", 0}, {"cpu", 1}};
 constexpr NamedValue<int> precisions[] = {{"glsl", 0}, {"double", 1}, {"float", 2}, {"simd", 3}};
 constexpr NamedValue<int> lenses[] = {{"none", 0}, {"float", 1}, {"half", 2}, {"simd", 3}, {"glsl", 4}};
-constexpr NamedValue<int> shadings[] = {{"pixel", 0}, {"once", 1}, {"vertex", 2}, {"face", 3}};
+constexpr NamedValue<int> shadings[] = {{"pixel", 0}, {"once", 1}, {"vertex", 2}, {"face", 3}, {"fragment", 4}};
 
 std::string wholePath(const std::string& folder)
 {

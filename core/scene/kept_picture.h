@@ -23,7 +23,7 @@ struct PictureRecipe {
     int samplesPerAxis = 2;
     std::string backend = "gl";       ///< "gl" or "cpu"
     std::string precision = "glsl";   ///< "glsl", "double", "float" or "simd"
-    std::string shading = "pixel";    ///< "pixel", "once", "vertex" or "face"
+    std::string shading = "pixel";    ///< "pixel", "fragment", "once", "vertex" or "face"
     std::string lobe = "conditioned"; ///< the form of (R.V)^n
     std::string lens = "none";        ///< the arithmetic whose digits are painted: "float", "half", "simd" or "glsl"
     VariantView shown = VariantView::A;

@@ -66,6 +66,29 @@ vec3 shadeMiddle(ivec2 first, int hits)
 }
 #endif
 
+#ifdef ONCE_PER_FRAGMENT
+uniform usampler2D triangles; // 1 + the number of the triangle that a sample sees
+
+// How many samples this one stands for: those that see its triangle if it is the middle one of them, else none. From the
+// top row, as the CPU renderer counts.
+float standsFor(ivec2 first, ivec2 texel)
+{
+    uint triangle = texelFetch(triangles, texel, 0).x;
+    int together = 0;
+    int before = 0;
+    ivec2 at = ivec2(0, samplesPerAxis - 1);
+    do {
+        if (first + at == texel)
+            before = together;
+        together += texelFetch(triangles, first + at, 0).x == triangle ? 1 : 0;
+        at.x += 1;
+        if (at.x == samplesPerAxis)
+            at = ivec2(0, at.y - 1);
+    } while (at.y >= 0);
+    return before == together / 2 ? float(together) : 0.0;
+}
+#endif
+
 void main()
 {
     ivec2 first = ivec2(gl_FragCoord.xy) * samplesPerAxis;
@@ -76,7 +99,11 @@ void main()
         ivec2 texel = first + at;
         vec4 normalAndHit = texelFetch(normals, texel, 0);
         if (normalAndHit.w > 0.0) {
-#ifndef ONCE_PER_PIXEL
+#ifdef ONCE_PER_FRAGMENT
+            float samples = standsFor(first, texel);
+            if (samples > 0.0)
+                sum += samples * shadeSample(normalAndHit.xyz, positionAt(texel));
+#elif !defined(ONCE_PER_PIXEL)
             sum += shadeSample(normalAndHit.xyz, positionAt(texel));
 #endif
             hits += 1.0;

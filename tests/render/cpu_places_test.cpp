@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace reflectance::test {
 namespace {
@@ -104,7 +105,7 @@ TEST(PixelShading, IsShadingPerSampleWhereLightIsFlat)
 {
     const Scene scene = triangleScene(0.0);
     const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, small);
-    for (const Place place : {Place::Pixel, Place::Face})
+    for (const Place place : {Place::Pixel, Place::Fragment, Place::Face})
         EXPECT_LE(largestDifference(shadedAt(place, samples, scene), shadedAt(Place::Sample, samples, scene)), 2e-7)
             << nameOf(place) << ": silhouettes included, up to the floats in which colours are kept";
 }
@@ -120,6 +121,23 @@ TEST(PixelShading, EvaluatesOncePerCoveredPixel)
         covered += samples->firstOfPixel[i + 1] > samples->firstOfPixel[i] ? 1 : 0;
     EXPECT_EQ(view.shadings(), covered);
     EXPECT_LT(3 * view.shadings(), samples->count());
+}
+
+/// Where one pixel sees two triangles, each has a shading of its own: an edge between colours stays an edge.
+TEST(FragmentShading, EvaluatesOncePerTriangleOfAPixel)
+{
+    const Scene scene = sphereScene("lambert", 16);
+    const auto samples =
+        std::make_shared<const ViewSamples>(sampleView(*makeRayScene(scene.mesh), scene.camera, small));
+    const PlacedView view = placedView(samples, *scene.mesh, Place::Fragment);
+    std::set<std::pair<std::size_t, std::uint32_t>> fragments;
+    for (std::size_t pixel = 0; pixel + 1 < samples->firstOfPixel.size(); ++pixel)
+        for (std::size_t i = samples->firstOfPixel[pixel]; i < samples->firstOfPixel[pixel + 1]; ++i) {
+            fragments.emplace(pixel, samples->triangle[i]);
+            EXPECT_EQ(view.places.triangle[view.placesOf[i]], samples->triangle[i]);
+        }
+    EXPECT_EQ(view.shadings(), fragments.size());
+    EXPECT_GT(view.shadings(), placedView(samples, *scene.mesh, Place::Pixel).shadings());
 }
 
 TEST(FaceShading, TakesTheFacesOwnNormal)

@@ -112,6 +112,47 @@ TEST_P(GlSensor, EveryViewGivesTheCodesOfTheCore)
     }
 }
 
+/// After a first picture only pixels that see something are developed anew, unless the others change as well.
+TEST_P(GlSensor, PicturesAfterTheFirstAreThoseOfANewRenderer)
+{
+    const auto next = [](int step, Scene& scene) {
+        if (step == 0)
+            scene.surface.values["n"] = {3.0};
+        else if (step == 1)
+            scene.background.color = {0.2, 0.5, 0.1};
+        else if (step == 2)
+            scene.sensor.exposure = 1.0;
+        else if (step == 3)
+            scene.camera = orbited(scene.camera, 0.2, 0.1);
+        else if (step == 4)
+            scene.background.kind = BackgroundKind::Environment;
+        else if (step == 5)
+            scene.environment.kind = EnvironmentKind::Studio;
+        else if (step == 6)
+            scene.environment.rotation = 40.0;
+        else if (step == 7)
+            scene.background = {};
+        else
+            scene.lights[0].direction.x += 0.5;
+    };
+    constexpr int steps = 9;
+    std::vector<std::vector<std::uint8_t>> drawn;
+    Scene scene = twoLightScene("hybrid");
+    render(scene, settings);
+    for (int step = 0; step < steps; ++step) {
+        next(step, scene);
+        render(scene, settings);
+        drawn.push_back(codes());
+    }
+    scene = twoLightScene("hybrid");
+    for (int step = 0; step < steps; ++step) {
+        next(step, scene);
+        startAnew();
+        render(scene, settings);
+        EXPECT_TRUE(codes() == drawn[static_cast<std::size_t>(step)]) << "step " << step;
+    }
+}
+
 TEST_P(GlSensor, NoticesAnotherExposure)
 {
     Scene scene = twoLightScene("hybrid");

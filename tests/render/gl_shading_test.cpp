@@ -29,16 +29,19 @@ protected:
     }
 };
 
-TEST_P(GlShadingTest, OncePerPixelIsWhatTheCpuMakesOfTheSameSamples)
+TEST_P(GlShadingTest, OncePerPixelOrFragmentIsWhatTheCpuMakesOfTheSameSamples)
 {
     const Scene scene = twoLightScene("hybrid");
-    const Image once = drawn(scene, {Place::Pixel, false});
-    const auto samples = std::make_shared<const ViewSamples>(renderer().readSamples());
-    const Image same = shadePlaces(placedView(samples, *scene.mesh, Place::Pixel), scene, Precision::Double);
-    // Float against double on equal samples: (16 + 9 sqrt(40)) 2^-24 of lights up to 1.5, see gl_picture_test.cpp.
-    EXPECT_LE(largestDifference(once, same), 1e-5);
-    EXPECT_EQ(once.coverage, same.coverage) << "coverage comes from every sample";
-    EXPECT_GT(largestDifference(drawn(scene, {}), once), 1e-3) << "the planted fault: every sample differs from one";
+    for (const Place place : {Place::Pixel, Place::Fragment}) {
+        const Image once = drawn(scene, {place, false});
+        const auto samples = std::make_shared<const ViewSamples>(renderer().readSamples());
+        const Image same = shadePlaces(placedView(samples, *scene.mesh, place), scene, Precision::Double);
+        // Float against double on equal samples: (16 + 9 sqrt(40)) 2^-24 of lights up to 1.5, see gl_picture_test.cpp.
+        EXPECT_LE(largestDifference(once, same), 1e-5) << nameOf(place);
+        EXPECT_EQ(once.coverage, same.coverage) << "coverage comes from every sample";
+        EXPECT_GT(largestDifference(drawn(scene, {}), once), 1e-3)
+            << nameOf(place) << ", the planted fault: every sample differs from one";
+    }
 }
 
 TEST_P(GlShadingTest, HalfBufferKeepsElevenBits)

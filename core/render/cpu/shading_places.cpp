@@ -3,6 +3,8 @@
 #include "core/base/check.h"
 #include "core/render/cpu/pixel_runs.h"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace reflectance {
@@ -43,19 +45,36 @@ Vec3d barycentrics(const Vec3d& P, const Vec3d& a, const Vec3d& b, const Vec3d& 
     return {1.0 - v - w, v, w};
 }
 
-void chooseMiddleSamples(PlacedView& view)
+/// The middle one of these samples is the place of all of them.
+void choosePlace(PlacedView& view, std::span<const std::uint32_t> together)
+{
+    const ViewSamples& samples = *view.samples;
+    for (const std::uint32_t i : together)
+        view.placesOf[i] = static_cast<std::uint32_t>(view.places.count());
+    const std::uint32_t middle = together[together.size() / 2];
+    append(view.places, positionOf(samples, middle), normalOf(samples, middle), samples.triangle[middle]);
+}
+
+/// One place for each pixel's samples, or for those of them that see the same triangle.
+void chooseMiddleSamples(PlacedView& view, bool ofEachTriangle)
 {
     const ViewSamples& samples = *view.samples;
     view.placesOf.resize(samples.count());
+    std::vector<std::uint32_t> left, together;
     for (std::size_t pixel = 0; pixel + 1 < samples.firstOfPixel.size(); ++pixel) {
-        const std::uint32_t first = samples.firstOfPixel[pixel];
-        const std::uint32_t last = samples.firstOfPixel[pixel + 1];
-        if (first == last)
-            continue;
-        std::fill(view.placesOf.begin() + first, view.placesOf.begin() + last,
-                  static_cast<std::uint32_t>(view.places.count()));
-        const std::size_t middle = (std::size_t{first} + last) / 2;
-        append(view.places, positionOf(samples, middle), normalOf(samples, middle), samples.triangle[middle]);
+        left.resize(samples.firstOfPixel[pixel + 1] - samples.firstOfPixel[pixel]);
+        std::iota(left.begin(), left.end(), samples.firstOfPixel[pixel]);
+        while (!left.empty()) {
+            const auto taken = [&](std::uint32_t i) {
+                return !ofEachTriangle || samples.triangle[i] == samples.triangle[left.front()];
+            };
+            together.clear();
+            std::copy_if(left.begin(), left.end(), std::back_inserter(together), taken);
+            choosePlace(view, together);
+            std::erase_if(left, [&](std::uint32_t i) {
+                return std::binary_search(together.begin(), together.end(), i);
+            });
+        }
     }
 }
 
@@ -147,8 +166,8 @@ PlacedView placedView(std::shared_ptr<const ViewSamples> samples, const Mesh& me
     view.place = place;
     view.samples = std::move(samples);
     view.places.eye = view.samples->eye;
-    if (place == Place::Pixel)
-        chooseMiddleSamples(view);
+    if (place == Place::Pixel || place == Place::Fragment)
+        chooseMiddleSamples(view, place == Place::Fragment);
     else if (place == Place::Vertex)
         chooseVertices(view, mesh);
     else if (place == Place::Face)

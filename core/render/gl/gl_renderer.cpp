@@ -25,6 +25,15 @@ struct ViewInputs {
     friend bool operator==(const ViewInputs&, const ViewInputs&) = default;
 };
 
+/// What the developed picture shows where no sample sees anything, under surroundings that nobody sees.
+struct Around {
+    Sensor sensor;
+    Background background;
+    bool halfBuffer;
+
+    friend bool operator==(const Around&, const Around&) = default;
+};
+
 /// The state that the passes rely on; a window's own drawing may have left anything.
 void prepareState(const Gl& gl)
 {
@@ -96,6 +105,7 @@ struct GlRenderer::State {
     std::optional<ViewInputs> seen;
     std::optional<ShadingInputs> shaded;
     std::optional<Sensor> developed;
+    std::optional<Around> around; // of the view that is seen; none where the surroundings show
 };
 
 Result<void> GlRenderer::State::fits(const RenderSettings& s) const
@@ -136,6 +146,7 @@ Result<void> GlRenderer::State::see(const ViewInputs& view)
 {
     seen.reset();
     shaded.reset();
+    around.reset();
     const auto mesh = meshes.buffersOf(view.mesh);
     work.meshUploads = meshes.uploads();
     if (!mesh)
@@ -151,7 +162,7 @@ Result<void> GlRenderer::State::shade(const ShadingInputs& inputs)
 {
     shaded.reset();
     developed.reset();
-    if (auto drawn = shading.draw(visibility.surface(), inputs, seen->camera, seen->settings); !drawn)
+    if (auto drawn = shading.draw(visibility, inputs, seen->camera, seen->settings); !drawn)
         return drawn;
     ++work.shadings;
     shaded = inputs;
@@ -160,11 +171,16 @@ Result<void> GlRenderer::State::shade(const ShadingInputs& inputs)
 
 Result<void> GlRenderer::State::develop(const Sensor& settings)
 {
+    const Around now{settings, shaded->background, shaded->how.halfBuffer};
+    const bool keepsAround = around == now;
     developed.reset();
-    if (auto drawn = sensor.draw(shading.linear(), settings); !drawn)
+    around.reset();
+    if (auto drawn = sensor.draw(shading.linear(), settings, keepsAround ? Pixels::Covered : Pixels::All); !drawn)
         return drawn;
     ++work.developments;
     developed = settings;
+    if (!shaded->requirements.environmentBackground)
+        around = now;
     return {};
 }
 

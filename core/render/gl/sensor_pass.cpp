@@ -118,7 +118,21 @@ void SensorPass::showCurve(const GlProgram& program, const Response& response)
     gl_->BindTexture(GL_TEXTURE_BUFFER, curve_ ? curveTexture_.id() : 0);
 }
 
-Result<void> SensorPass::draw(const RenderTarget& linear, const Sensor& sensor)
+void SensorPass::drawPicture(const RenderTarget& linear, Pixels pixels)
+{
+    if (pixels == Pixels::All)
+        developed_.shareDepthOf(linear);
+    developed_.bind();
+    gl_->BindVertexArray(noVertices_.id());
+    if (pixels == Pixels::Covered)
+        gl_->Enable(GL_DEPTH_TEST);
+    gl_->DepthFunc(GL_EQUAL);
+    gl_->DepthMask(GL_FALSE);
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl_->Disable(GL_DEPTH_TEST);
+}
+
+Result<void> SensorPass::draw(const RenderTarget& linear, const Sensor& sensor, Pixels pixels)
 {
     const SensorInputs inputs = inputsOf(sensor);
     const auto found = programFor(inputs);
@@ -130,9 +144,7 @@ Result<void> SensorPass::draw(const RenderTarget& linear, const Sensor& sensor)
     linear.bindAsInput(0, 0);
     program.set("linearPicture", 0);
     setInputs(program, inputs);
-    developed_.bind();
-    gl_->BindVertexArray(noVertices_.id());
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    drawPicture(linear, pixels);
     return {};
 }
 

@@ -8,12 +8,16 @@
 
 namespace reflectance {
 
+/// Of the picture: all of them, or those of which a sample sees something, while the others keep what they show.
+enum class Pixels { All, Covered };
+
 class SensorPass {
 public:
     explicit SensorPass(ProgramLinker& linker);
 
     void resize(const RenderSettings& settings);
-    [[nodiscard]] Result<void> draw(const RenderTarget& linear, const Sensor& sensor);
+    /// `Covered` asks the depths that linear had at the last draw of all pixels.
+    [[nodiscard]] Result<void> draw(const RenderTarget& linear, const Sensor& sensor, Pixels pixels);
 
     [[nodiscard]] const RenderTarget& developed() const { return developed_; }
     [[nodiscard]] std::size_t programs() const { return programs_.size(); }
@@ -21,6 +25,7 @@ public:
 private:
     [[nodiscard]] Result<const GlProgram*> programFor(const SensorInputs& inputs);
     static void setInputs(const GlProgram& program, const SensorInputs& inputs);
+    void drawPicture(const RenderTarget& linear, Pixels pixels);
     void showCurve(const GlProgram& program, const Response& response);
 
     const Gl* gl_;

@@ -9,7 +9,7 @@
 namespace reflectance {
 namespace {
 
-enum Unit { Normals, Positions, Lights, Map, MeasuredTexels };
+enum Unit { Normals, Positions, Lights, Map, MeasuredTexels, Triangles };
 
 std::vector<std::string> definesFor(const Requirements& r, Place place)
 {
@@ -26,6 +26,7 @@ std::vector<std::string> definesFor(const Requirements& r, Place place)
     define(r.holes, "TABLE_HOLES");
     define(r.positions, "POSITIONS");
     define(place == Place::Pixel, "ONCE_PER_PIXEL");
+    define(place == Place::Fragment, "ONCE_PER_FRAGMENT");
     return names;
 }
 
@@ -119,7 +120,7 @@ void ShadingPass::drawCovered(const Vec3d& background) const
 
 Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements, Place place)
 {
-    return programs_.find(requirements.key() + (place == Place::Pixel ? "+once" : ""), [&]() -> Result<GlProgram> {
+    return programs_.find(requirements.key() + "+" + std::string(nameOf(place)), [&]() -> Result<GlProgram> {
         return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
                                sourceFor(requirements, requirements.modelUsed().text, place));
     });
@@ -155,9 +156,10 @@ Result<void> ShadingPass::setEnvironment(const GlProgram& program, const Shading
     return {};
 }
 
-Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs& inputs, const Camera& camera,
+Result<void> ShadingPass::draw(const VisibilityPass& seen, const ShadingInputs& inputs, const Camera& camera,
                                const RenderSettings& settings)
 {
+    const RenderTarget& samples = seen.surface();
     keepIn(inputs.how.halfBuffer);
     const bool everywhere = inputs.requirements.environmentBackground;
     if (!everywhere && !covered_)
@@ -173,6 +175,9 @@ Result<void> ShadingPass::draw(const RenderTarget& samples, const ShadingInputs&
         samples.bindAsInput(1, Unit::Positions);
     program.set("normals", Unit::Normals);
     program.set("positions", Unit::Positions);
+    if (inputs.how.place == Place::Fragment)
+        seen.triangles().bindAsInput(0, Unit::Triangles);
+    program.set("triangles", Unit::Triangles);
     program.set("samplesPerAxis", settings.samplesPerAxis);
     program.set("eye", camera.eye);
     program.set("backgroundColor", inputs.background.color);

@@ -8,6 +8,7 @@
 #include "core/render/gl/render_target.h"
 #include "core/render/gl/shading_inputs.h"
 #include "core/render/gl/table_buffer.h"
+#include "core/render/gl/visibility_pass.h"
 #include "core/render/settings.h"
 
 namespace reflectance {
@@ -20,8 +21,8 @@ public:
     /// The next draw has other samples than the last one.
     void samplesChanged() { covered_ = false; }
 
-    /// Draws into linear(). The samples must be those of this camera and these settings.
-    [[nodiscard]] Result<void> draw(const RenderTarget& samples, const ShadingInputs& inputs, const Camera& camera,
+    /// Draws into linear(). What was seen must be that of this camera and these settings.
+    [[nodiscard]] Result<void> draw(const VisibilityPass& seen, const ShadingInputs& inputs, const Camera& camera,
                                     const RenderSettings& settings);
 
     /// RGB: mean linear radiance, A: coverage.

@@ -22,7 +22,7 @@ struct RenderPlan {
     Precision precision = Precision::Double; ///< of the CPU renderer
     ContextKind context = ContextKind::Any;
     int frames = 1;              ///< shadings; more than one for timing
-    Place place = Place::Sample; ///< where the model is evaluated; the GL renderer knows Sample and Pixel
+    Place place = Place::Sample; ///< where the model is evaluated; the GL renderer knows Sample, Fragment and Pixel
     LobeForm lobe = LobeForm::Conditioned;
     bool specialised = true;        ///< see Arithmetic
     std::filesystem::path programs = {}; ///< where linked shader programs are kept; empty: nowhere

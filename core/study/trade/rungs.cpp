@@ -44,6 +44,8 @@ std::span<const Rung> rungs()
          energyPreserving, 1},
         {"lambert", RungAxis::Model, "roughness", true, true, smoothMatte},
 
+        {"multisampled", RungAxis::Place, "all shadings of a triangle in a pixel but one", true, true, shadedAt,
+         code(Place::Fragment)},
         {"once_per_pixel", RungAxis::Place, "all shadings of a pixel but one", true, true, shadedAt,
          code(Place::Pixel)},
         {"body_per_vertex", RungAxis::Place, "the body's shading but at vertices", true, false, bodyPerVertex},

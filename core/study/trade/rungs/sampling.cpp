@@ -12,7 +12,8 @@ constexpr long mostSamples = 1L << 23;
 
 Applied shadedAt(int place, Recipe& recipe)
 {
-    if (static_cast<Place>(place) == Place::Pixel && recipe.settings.samplesPerAxis == 1)
+    const bool inPixels = static_cast<Place>(place) == Place::Pixel || static_cast<Place>(place) == Place::Fragment;
+    if (inPixels && recipe.settings.samplesPerAxis == 1)
         return {"one sample per pixel is shaded once already"};
     recipe.place = static_cast<Place>(place);
     return {};
