@@ -34,7 +34,7 @@ Applied diagonalK(int /*amount*/, Recipe& recipe)
     const Rows before = rowsOf(recipe.scene);
     const Parameter& parameter = *modelOf(recipe.scene).text.find("K");
     std::vector<double> K = valueOf(parameter, recipe.scene.surface.values);
-    for (const std::size_t off : {1, 2, 3, 5, 6, 7})
+    for (const unsigned off : {1U, 2U, 3U, 5U, 6U, 7U})
         K[off] = 0.0;
     if (K == valueOf(parameter, recipe.scene.surface.values))
         return {"K is diagonal already"};
