@@ -1,6 +1,7 @@
 #include "app/explorer/overlay_texture.h"
 
 #include <GL/glcorearb.h>
+#include <array>
 
 namespace reflectance::explorer {
 
@@ -21,9 +22,9 @@ void OverlayTexture::show(int width, int height, std::span<const std::uint8_t> r
         };
     }
     bind(GL_TEXTURE_2D, name_);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    for (const auto filter : std::array<GLenum, 2>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         parameter(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    for (const auto wrap : std::array<GLenum, 2>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         parameter(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     reinterpret_cast<PFNGLPIXELSTOREIPROC>(load("glPixelStorei"))(GL_UNPACK_ALIGNMENT, 1);
     reinterpret_cast<PFNGLTEXIMAGE2DPROC>(load("glTexImage2D"))(GL_TEXTURE_2D, 0, GL_RGB8, width, height, 0, GL_RGB,

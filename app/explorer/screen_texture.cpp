@@ -1,6 +1,7 @@
 #include "app/explorer/screen_texture.h"
 
 #include <GL/glcorearb.h>
+#include <array>
 
 #include <utility>
 
@@ -34,9 +35,9 @@ void ScreenTexture::show(int width, int height, std::span<const std::uint8_t> rg
     function<PFNGLPIXELSTOREIPROC>(load_, "glPixelStorei")(GL_UNPACK_ALIGNMENT, 1);
     if (width != width_ || height != height_) {
         const auto parameter = function<PFNGLTEXPARAMETERIPROC>(load_, "glTexParameteri");
-        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        for (const auto filter : std::array<GLenum, 2>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
             parameter(GL_TEXTURE_2D, filter, GL_LINEAR);
-        for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        for (const auto wrap : std::array<GLenum, 2>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
             parameter(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
         function<PFNGLTEXIMAGE2DPROC>(load_, "glTexImage2D")(GL_TEXTURE_2D, 0, GL_RGB8, width, height, 0, GL_RGB,
                                                              GL_UNSIGNED_BYTE, rgb.data());
