@@ -43,7 +43,7 @@ TEST(Observations, ALargeTableIsThinnedEvenly)
 TEST(Observations, GreyIsTheMeanOfTheChannels)
 {
     const ParameterValues K{{"K", {0.9, 0.0, 0.0, 0.0, 0.6, 0.0, 0.0, 0.0, 0.3}}};
-    for (const std::size_t channels : {3, 9}) {
+    for (const std::size_t channels : {3U, 9U}) {
         const Observations grey = greyOf(observationsOf(synthetic({"lambert_color", K, 0.0, 1, channels, {}})));
         EXPECT_EQ(grey.form, ObservedForm::Grey);
         ASSERT_EQ(grey.rows.size(), 392U) << channels;
