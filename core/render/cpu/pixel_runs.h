@@ -35,6 +35,11 @@ public:
                Image& image) const
     {
         const T weight = T(1) / static_cast<T>(perPixel_);
+        const bool empty = samples.firstOfPixel[firstPixel] == samples.firstOfPixel[firstPixel + sums.size()];
+        if (empty && background_.isPlain(0)) {
+            fill((Vec3<T>() + plain_[0]) * weight, pixel, sums.size(), image);
+            return;
+        }
         for (std::size_t i = 0; i < sums.size(); ++i, ++pixel) {
             const std::size_t first = samples.firstOfPixel[firstPixel + i];
             const std::size_t last = samples.firstOfPixel[firstPixel + i + 1];
@@ -51,6 +56,19 @@ public:
     }
 
 private:
+    /// Pixels that nothing covers.
+    static void fill(const Vec3<T>& color, std::size_t pixel, std::size_t count, Image& image)
+    {
+        const Vec3f c(color);
+        float* rgb = &image.rgb[3 * pixel];
+        for (std::size_t i = 0; i < count; ++i, rgb += 3) {
+            rgb[0] = c.x;
+            rgb[1] = c.y;
+            rgb[2] = c.z;
+        }
+        std::fill_n(&image.coverage[pixel], count, 0.0F);
+    }
+
     static constexpr std::size_t mostSamples = 64;
 
     BackgroundSampler background_;

@@ -12,7 +12,7 @@
 namespace reflectance {
 namespace {
 
-/// Not written before they are traced: nothing is to be read where nothing was met.
+/// Not written before they are traced.
 using AllHits = std::unique_ptr<TileHits[]>;
 
 /// Counts in `counts`, one for each pixel, how many of its samples met something.

@@ -73,6 +73,26 @@ void placeGrid(const PixelRays& pixelRays, int firstPixel, int pixels, int perPi
     }
 }
 
+/// False only where every ray of a tile passes the mesh's sphere: where the cone about the tile's corners, seen from the
+/// middle, and that about the sphere are apart.
+bool mayMeet(const RayScene& rays, const PixelRays& pixelRays, int columns, int rows, const TileHits& hits)
+{
+    const Vec3d& eye = pixelRays.frame().eye;
+    const double distance = length(eye);
+    const double reach = 1.01 * rays.radius(); // more than the rays' own test allows
+    if (!(distance > reach))
+        return true;
+    const double left = hits.xs[0], right = hits.xs[static_cast<std::size_t>(columns - 1)];
+    const double top = hits.ys[0], bottom = hits.ys[static_cast<std::size_t>(rows - 1)];
+    const Vec3d middle = pixelRays.through(0.5 * (left + right), 0.5 * (top + bottom));
+    double smallest = 1.0; // cosine
+    for (const double x : {left, right})
+        for (const double y : {top, bottom})
+            smallest = std::min(smallest, dot(middle, pixelRays.through(x, y)));
+    const double away = std::acos(std::clamp(-dot(middle, eye) / distance, -1.0, 1.0));
+    return !(away > std::acos(std::clamp(smallest, -1.0, 1.0)) + std::asin(reach / distance));
+}
+
 template <int N>
 void tracePackets(const RayScene& rays, const PixelRays& pixelRays, int columns, int rows, TileHits& hits)
 {
@@ -105,6 +125,9 @@ void traceTile(const RayScene& rays, const PixelRays& pixelRays, const RenderSet
     const int k = settings.samplesPerAxis;
     placeGrid(pixelRays, tile.left, tile.width, k, hits.xs);
     placeGrid(pixelRays, tile.top, tile.height, k, hits.ys);
+    hits.any = false;
+    if (!mayMeet(rays, pixelRays, tile.width * k, tile.height * k, hits))
+        return;
     const auto trace = packetSize == 16 ? tracePackets<16> : tracePackets<8>;
     trace(rays, pixelRays, tile.width * k, tile.height * k, hits);
 }

@@ -42,7 +42,7 @@ private:
 struct TileHits {
     static constexpr std::size_t samples = std::size_t{tileEdge} * tileEdge;
 
-    bool any;                                     ///< whether anything was met
+    bool any;                                     ///< whether anything was met; else the triangles may not be written
     std::array<double, tileEdge> xs, ys;          ///< image points of the grid's columns and rows; the last repeats
     std::array<std::uint32_t, samples> triangles; ///< or RayScene::nothing; tileEdge in a row of the grid
 
