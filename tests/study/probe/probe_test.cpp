@@ -198,9 +198,10 @@ TEST(Probe, LooksOnlyNearTheRayAndFindsTheSamePoint)
                     const auto point = pointAt(*mesh, camera, x, y, width, height);
                     EXPECT_TRUE(samePoint(pointAt(mesh, camera, x, y, width, height), point)) << x << ' ' << y;
                     met += point ? 1 : 0;
-                    if (point)
+                    if (point) {
                         EXPECT_FALSE(samePoint(pointAt(mesh, camera, x + 1.0, y, width, height), point))
                             << "the planted fault: a pixel to the side";
+                    }
                 }
             EXPECT_GT(met, 0);
         }
