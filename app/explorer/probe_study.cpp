@@ -33,7 +33,7 @@ bool isAmong(const ViewSamples& samples, const ProbedPoint& point, const Camera&
 
 std::optional<ProbePlace> placeAt(const Scene& scene, Cursor cursor, ViewSize size)
 {
-    const auto point = pointAt(scene.mesh, scene.camera, cursor.x, cursor.y, size.width, size.height);
+    const auto point = pointAt(*scene.mesh, scene.camera, cursor.x, cursor.y, size.width, size.height);
     if (!point)
         return std::nullopt;
     return ProbePlace{scene.mesh, *point, scene.camera};
