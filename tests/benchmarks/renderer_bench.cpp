@@ -68,18 +68,30 @@ struct BareEmbree {
     }
 };
 
-struct alignas(32) Packet {
-    RTCRayHit8 rays;
+/// Embree's packets by their number of rays.
+template <int N> struct EmbreePacket;
+template <> struct EmbreePacket<8> {
+    using Rays = RTCRayHit8;
+    static constexpr auto intersect = rtcIntersect8;
+};
+template <> struct EmbreePacket<16> {
+    using Rays = RTCRayHit16;
+    static constexpr auto intersect = rtcIntersect16;
 };
 
-std::vector<Packet> packetsOf(const Camera& camera)
+template <int N> struct alignas(64) Packet {
+    typename EmbreePacket<N>::Rays rays;
+};
+
+/// Packets of four columns and N / 4 rows of pixels.
+template <int N> std::vector<Packet<N>> packetsOf(const Camera& camera)
 {
     const PixelRays pixelRays(camera, large);
-    std::vector<Packet> packets;
-    for (int y = 0; y < large.height; y += 2)
+    std::vector<Packet<N>> packets;
+    for (int y = 0; y < large.height; y += N / 4)
         for (int x = 0; x < large.width; x += 4) {
-            Packet& packet = packets.emplace_back();
-            for (int i = 0; i < 8; ++i) {
+            Packet<N>& packet = packets.emplace_back();
+            for (int i = 0; i < N; ++i) {
                 const Vec3d direction = pixelRays.throughSample(x + i % 4, y + i / 4, 0);
                 packet.rays.ray.org_x[i] = static_cast<float>(camera.eye.x);
                 packet.rays.ray.org_y[i] = static_cast<float>(camera.eye.y);
@@ -94,26 +106,27 @@ std::vector<Packet> packetsOf(const Camera& camera)
 }
 
 /// The same rays, ready made, and nothing done with what they meet.
-void traceAll(const BareEmbree& embree, std::vector<Packet>& packets)
+template <int N> void traceAll(const BareEmbree& embree, std::vector<Packet<N>>& packets)
 {
-    alignas(32) static constexpr int valid[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
     tbb::parallel_for(std::size_t{0}, packets.size() / 64, [&](std::size_t task) {
+        alignas(64) int valid[N];
+        std::fill(std::begin(valid), std::end(valid), -1);
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
         for (std::size_t i = 64 * task; i < 64 * (task + 1); ++i) {
-            RTCRayHit8& rays = packets[i].rays;
-            for (int lane = 0; lane < 8; ++lane) {
+            auto& rays = packets[i].rays;
+            for (int lane = 0; lane < N; ++lane) {
                 rays.ray.tfar[lane] = std::numeric_limits<float>::infinity();
                 rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
             }
-            rtcIntersect8(valid, embree.scene, &context, &rays);
+            EmbreePacket<N>::intersect(valid, embree.scene, &context, &rays);
         }
     });
 }
 
-/// A first frame, Embree's structure being there: rays, points in double, shading; against the rays alone.
-void firstFrameCpu(benchmark::State& state)
+/// Times `frame` against the rays alone, Embree's structures being there.
+template <int N, class Frame> void againstRays(benchmark::State& state, const Frame& frame)
 {
     Scene scene = defaultScene();
     scene.mesh = bench::knotMesh(state.range(0));
@@ -121,16 +134,37 @@ void firstFrameCpu(benchmark::State& state)
     state.SetLabel(std::string(nameOf(precision)));
     const auto rays = makeRayScene(scene.mesh);
     const BareEmbree embree(*scene.mesh);
-    std::vector<Packet> packets = packetsOf(scene.camera);
+    std::vector<Packet<N>> packets = packetsOf<N>(scene.camera);
     bench::alternate(
-        state,
-        [&] { benchmark::DoNotOptimize(shadeSamples(sampleView(*rays, scene.camera, large), scene, precision)); },
-        [&] { traceAll(embree, packets); });
+        state, [&] { benchmark::DoNotOptimize(frame(*rays, scene, precision)); }, [&] { traceAll(embree, packets); });
 }
-BENCHMARK(firstFrameCpu)
-    ->ArgsProduct({{100'000, 1'000'000}, {static_cast<int>(Precision::Double), static_cast<int>(Precision::Simd)}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+
+/// A first frame: rays, points in double, shading; against packets of 8 or 16 rays.
+template <int N> void firstFrameCpu(benchmark::State& state)
+{
+    againstRays<N>(state, [](const RayScene& rays, const Scene& scene, Precision precision) {
+        return renderOnCpu(rays, scene, large, precision);
+    });
+}
+
+/// The same with its samples kept, to be shaded again.
+void keptFrameCpu(benchmark::State& state)
+{
+    againstRays<8>(state, [](const RayScene& rays, const Scene& scene, Precision precision) {
+        return shadeSamples(sampleView(rays, scene.camera, large), scene, precision);
+    });
+}
+
+void bothMeshes(benchmark::internal::Benchmark* benchmark)
+{
+    benchmark
+        ->ArgsProduct({{100'000, 1'000'000}, {static_cast<int>(Precision::Double), static_cast<int>(Precision::Simd)}})
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+}
+BENCHMARK_TEMPLATE(firstFrameCpu, 8)->Apply(bothMeshes);
+BENCHMARK_TEMPLATE(firstFrameCpu, 16)->Apply(bothMeshes);
+BENCHMARK(keptFrameCpu)->Apply(bothMeshes);
 
 } // namespace
 } // namespace reflectance

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <ostream>
 
@@ -41,7 +42,7 @@ const std::string views[] = {"clay_mug", "chrome_teapot", "glossy_knot", "matte_
 
 std::string fileOf(const char* folder, const std::string& name)
 {
-    return std::string(REFLECTANCE_IMAGES) + "/" + folder + "/" + name;
+    return (std::filesystem::path(REFLECTANCE_IMAGES) / folder / name).string();
 }
 
 double difference(const Image& a, const Image& b, std::size_t pixel)

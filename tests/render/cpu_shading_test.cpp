@@ -174,16 +174,20 @@ TEST(CpuShading, OneThreadGivesTheSamePictureAsTwo)
     }
 }
 
-TEST(CpuShading, BandsLeaveNoSeam)
+TEST(CpuShading, TilesLeaveNoSeam)
 {
-    // 2048 x 40 with 8 x 8 samples is more than one band holds.
-    const Scene scene = sphereScene("lambert", 16);
-    const RenderSettings settings{2048, 40, 8};
-    const Image whole =
-        shadeSamples(sampleView(*makeRayScene(scene.mesh), scene.camera, settings), scene, Precision::Simd);
-    const Image banded = renderOnCpu(scene, settings, Precision::Simd);
-    EXPECT_EQ(banded.rgb, whole.rgb);
-    EXPECT_EQ(banded.coverage, whole.coverage);
+    // The samples that are kept and those that are shaded at once; sizes that tiles and packets do not divide.
+    Scene scene = sphereScene("hybrid", 16);
+    scene.background.color = {0.5, 0.25, 1.0};
+    for (const RenderSettings& settings :
+         {RenderSettings{300, 20, 8}, RenderSettings{101, 67, 3}, RenderSettings{1, 1, 1}, RenderSettings{33, 35, 5}})
+        for (const Precision precision : precisions) {
+            const Image whole =
+                shadeSamples(sampleView(*makeRayScene(scene.mesh), scene.camera, settings), scene, precision);
+            const Image tiled = renderOnCpu(scene, settings, precision);
+            EXPECT_EQ(tiled.rgb, whole.rgb) << nameOf(precision) << settings.width;
+            EXPECT_EQ(tiled.coverage, whole.coverage);
+        }
 }
 
 TEST(CpuShading, ReportsProgressAndStopsWhenAsked)

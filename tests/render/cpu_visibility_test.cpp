@@ -1,9 +1,7 @@
 // What the CPU renderer sees: a tessellated sphere against the sphere's own formula.
 #include "core/render/cpu/cpu_renderer.h"
-#include "core/render/cpu/pixel_rays.h"
 #include "tests/render/sphere.h"
 
-#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -120,28 +118,6 @@ TEST(CpuVisibility, AMeshWithoutTrianglesIsNotSeen)
     Scene scene = sphereScene("lambert");
     scene.mesh = std::make_shared<Mesh>();
     EXPECT_EQ(view(scene, small).count(), 0U);
-}
-
-/// Rays are set up eight at a time; to the last bit they are those that every other part of the program computes one by
-/// one.
-TEST(PixelRays, ABlockHoldsTheRaysOfItsPixelsToTheLastBit)
-{
-    Camera camera;
-    camera.eye = {1.3, -0.7, 2.9};
-    for (const double fieldOfView : {1.0, 35.0, 120.0}) {
-        camera.fieldOfView = fieldOfView;
-        const PixelRays rays(camera, {1021, 333, 3});
-        for (const auto& [left, top, s] : {std::array{0, 0, 0}, std::array{516, 332, 8}, std::array{1020, 100, 5}}) {
-            std::array<double, 8> x{}, y{}, z{};
-            rays.throughBlock(left, top, s, x, y, z);
-            for (int i = 0; i < 8; ++i) {
-                const auto ray = static_cast<std::size_t>(i);
-                EXPECT_EQ(Vec3d(x[ray], y[ray], z[ray]), rays.throughSample(left + i % 4, top + i / 4, s));
-                EXPECT_FALSE(Vec3d(x[ray], y[ray], z[ray]) == rays.throughSample(left + i / 4, top + i % 4 + 1, s))
-                    << "another pixel's ray is seen to differ";
-            }
-        }
-    }
 }
 
 } // namespace

@@ -22,7 +22,8 @@ std::uint64_t coveredMask(const ViewSamples& samples, const Camera& camera, std:
 } // namespace
 
 BackgroundSampler::BackgroundSampler(const Scene& scene, const RenderSettings& settings)
-    : perPixel_(settings.samplesPerAxis * settings.samplesPerAxis), scene_(scene), settings_(settings),
+    : perPixel_(settings.samplesPerAxis * settings.samplesPerAxis),
+      plain_(scene.background.kind == BackgroundKind::Plain), scene_(scene), settings_(settings),
       rays_(scene.camera, settings)
 {
 }

@@ -1,21 +1,47 @@
+// The first frame, tile by tile: a tile's samples are shaded while they are in the cache, and are not kept.
 #include "core/render/cpu/cpu_renderer.h"
 
-#include "core/base/check.h"
-#include "core/render/cpu/ray_scene.h"
-#include "core/render/cpu/row_band.h"
+#include "core/render/cpu/picture_shader.h"
+#include "core/render/cpu/pixel_runs.h"
+#include "core/render/cpu/tile_tracer.h"
 
-#include <algorithm>
+#include <tbb/enumerable_thread_specific.h>
 
 namespace reflectance {
 namespace {
 
-/// So many samples, at 56 bytes each, are held at a time: a picture of 1024 x 1024 with 2 x 2 samples in one go.
-constexpr int samplesPerBand = 1 << 22;
+/// What all tiles share.
+struct Frame {
+    const RayScene& rays;
+    const Scene& scene;
+    RenderSettings settings;
+    PixelRays pixelRays;
+};
 
-int rowsPerBand(const RenderSettings& settings)
+/// What a thread needs for a tile, to be used again for the next.
+template <class T> struct Room {
+    TileHits hits;
+    TileSamples samples;
+    std::array<Vec3<T>, TileHits::samples> sums;
+
+    explicit Room(const Frame& frame) : samples(frame.settings, frame.scene.camera.eye) {}
+};
+
+template <class T>
+void renderTile(const Frame& frame, const SampleShader<T>& shader, const PixelWriter<T>& writer, const Tile& tile,
+                Room<T>& room, Image& image)
 {
-    const int perRow = settings.width * settings.samplesPerAxis * settings.samplesPerAxis;
-    return std::clamp(samplesPerBand / perRow, 1, settings.height);
+    traceTile(frame.rays, frame.pixelRays, frame.settings, tile, frame.rays.packetSize(), room.hits);
+    const ViewSamples& samples = room.samples.find(frame.rays.mesh(), frame.pixelRays, tile, room.hits);
+    const auto width = static_cast<std::size_t>(tile.width);
+    const auto sums = std::span(room.sums).first(width * static_cast<std::size_t>(tile.height));
+    std::fill(sums.begin(), sums.end(), Vec3<T>());
+    sumSamples(samples, shader, 0, sums);
+    for (int y = 0; y < tile.height; ++y) {
+        const std::size_t first = static_cast<std::size_t>(y) * width;
+        const std::size_t pixel = Image::pixelCount(image.width, tile.top + y) + static_cast<std::size_t>(tile.left);
+        writer.write(samples, first, sums.subspan(first, width), pixel, image);
+    }
 }
 
 } // namespace
@@ -25,31 +51,30 @@ std::shared_ptr<const RayScene> makeRayScene(std::shared_ptr<const Mesh> mesh)
     return std::make_shared<RayScene>(std::move(mesh));
 }
 
-ViewSamples sampleView(const RayScene& rays, const Camera& camera, const RenderSettings& settings, Progress* progress)
+Image renderOnCpu(const RayScene& rays, const Scene& scene, const RenderSettings& settings,
+                  const Arithmetic& arithmetic, Progress* progress, double share)
 {
-    return sampleBand(rays, camera, settings, {0, settings.height}, {progress});
-}
-
-Image shadeSamples(const ViewSamples& samples, const Scene& scene, const Arithmetic& arithmetic, Progress* progress)
-{
-    Image image(samples.settings.width, samples.settings.height);
-    CHECK_EQ(samples.firstOfPixel.size(), image.pixels() + 1);
-    shadeBand(samples, {0, image.height}, scene, arithmetic, {progress}, image);
+    Image image(settings.width, settings.height);
+    const Frame frame{rays, scene, settings, PixelRays(scene.camera, settings)};
+    const Tiles tiles(settings);
+    const Stretch stretch{progress, share / tiles.count()};
+    withShader(scene, arithmetic, [&]<class T>(const SampleShader<T>& shader) {
+        const PixelWriter<T> writer(scene, settings);
+        tbb::enumerable_thread_specific<Room<T>> room(frame);
+        inParallel(0, tiles.count(), [&](int i) {
+            if (stretch.cancelled())
+                return;
+            renderTile(frame, shader, writer, tiles[i], room.local(), image);
+            stretch.advance(1.0);
+        });
+    });
     return image;
 }
 
 Image renderOnCpu(const Scene& scene, const RenderSettings& settings, const Arithmetic& arithmetic, Progress* progress,
                   double share)
 {
-    const RayScene rays(scene.mesh);
-    Image image(settings.width, settings.height);
-    const int step = rowsPerBand(settings);
-    for (int row = 0; row < settings.height && !(progress != nullptr && progress->cancel); row += step) {
-        const RowBand band{row, std::min(step, settings.height - row)};
-        const Stretch half{progress, 0.5 * share * band.rows / settings.height};
-        shadeBand(sampleBand(rays, scene.camera, settings, band, half), band, scene, arithmetic, half, image);
-    }
-    return image;
+    return renderOnCpu(RayScene(scene.mesh), scene, settings, arithmetic, progress, share);
 }
 
 } // namespace reflectance

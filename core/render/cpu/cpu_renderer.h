@@ -27,7 +27,12 @@ class RayScene;
 [[nodiscard]] Image shadeSamples(const ViewSamples& samples, const Scene& scene, const Arithmetic& arithmetic,
                                  Progress* progress = nullptr);
 
-/// All three. They are `share` of what the progress counts.
+/// Samples and shading at once, tile by tile: the same picture, and no samples to keep. They are `share` of what the
+/// progress counts. The ray scene is that of the scene's mesh.
+[[nodiscard]] Image renderOnCpu(const RayScene& rays, const Scene& scene, const RenderSettings& settings,
+                                const Arithmetic& arithmetic, Progress* progress = nullptr, double share = 1.0);
+
+/// All three.
 [[nodiscard]] Image renderOnCpu(const Scene& scene, const RenderSettings& settings, const Arithmetic& arithmetic,
                                 Progress* progress = nullptr, double share = 1.0);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <embree3/rtcore.h>
-#include <limits>
 
 namespace reflectance {
 namespace {
@@ -50,32 +49,7 @@ void setRay(RTCRay8& rays, std::size_t i, const Vec3d& origin, const Vec3d& dire
     rays.flags[i] = 0;
 }
 
-/// Starts the rays where they enter the mesh's sphere, found in double: floats are then as fine as the mesh, however far
-/// away the eye is. A ray that misses the sphere is not traced. True if any is. One number of all rays at a time: so the
-/// compiler makes vectors of it.
-bool placeRays(RTCRay8& rays, int* valid, const RayPacket& packet, double radius)
-{
-    const double reach = 1.001 * radius;
-    std::array<double, RayPacket::size> start;
-    int any = 0;
-    for (std::size_t i = 0; i < RayPacket::size; ++i) {
-        const double nearest = -(packet.eye.x * packet.x[i] + packet.eye.y * packet.y[i] + packet.eye.z * packet.z[i]);
-        const double footX = packet.eye.x + nearest * packet.x[i];
-        const double footY = packet.eye.y + nearest * packet.y[i];
-        const double footZ = packet.eye.z + nearest * packet.z[i];
-        const double squared = footX * footX + footY * footY + footZ * footZ;
-        valid[i] = packet.active[i] && nearest > -reach && squared < reach * reach ? -1 : 0;
-        any |= valid[i];
-        start[i] = std::max(0.0, nearest - reach);
-    }
-    for (std::size_t i = 0; i < RayPacket::size; ++i) {
-        const Vec3d direction{packet.x[i], packet.y[i], packet.z[i]};
-        setRay(rays, i, packet.eye + start[i] * direction, direction, std::numeric_limits<double>::infinity());
-    }
-    return any != 0;
-}
-
-std::array<std::uint32_t, 8> met(RTCScene scene, RTCRayHit8& rays, const int* valid, RTCIntersectContextFlags coherence)
+std::array<std::uint32_t, 8> met(RTCScene scene, RTCRayHit8& rays, const int* valid)
 {
     for (std::size_t i = 0; i < 8; ++i) {
         rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
@@ -83,7 +57,7 @@ std::array<std::uint32_t, 8> met(RTCScene scene, RTCRayHit8& rays, const int* va
     }
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = coherence;
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     rtcIntersect8(valid, scene, &context, &rays);
 
     std::array<std::uint32_t, 8> triangles{};
@@ -107,6 +81,7 @@ void RayScene::Release::operator()(RTCSceneTy* scene) const
 
 RayScene::RayScene(std::shared_ptr<const Mesh> mesh)
     : mesh_(std::move(mesh)), radius_(radiusOf(*mesh_)), device_(rtcNewDevice(nullptr)),
+      packetSize_(rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0 ? 16 : 8),
       scene_(rtcNewScene(device_.get()))
 {
     CHECK_EQ(rtcGetDeviceError(device_.get()), RTC_ERROR_NONE);
@@ -118,18 +93,6 @@ RayScene::RayScene(std::shared_ptr<const Mesh> mesh)
     CHECK_EQ(rtcGetDeviceError(device_.get()), RTC_ERROR_NONE);
 }
 
-std::array<std::uint32_t, 8> RayScene::firstTriangles(const RayPacket& packet) const
-{
-    alignas(32) RTCRayHit8 rays;
-    alignas(32) int valid[RayPacket::size];
-    if (!placeRays(rays.ray, valid, packet, radius_)) {
-        std::array<std::uint32_t, RayPacket::size> none;
-        none.fill(nothing);
-        return none;
-    }
-    return met(scene_.get(), rays, valid, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
-}
-
 std::array<std::uint32_t, 8> RayScene::firstTriangles(const SegmentPacket& packet) const
 {
     alignas(32) RTCRayHit8 rays;
@@ -138,7 +101,7 @@ std::array<std::uint32_t, 8> RayScene::firstTriangles(const SegmentPacket& packe
         valid[i] = packet.active[i] ? -1 : 0;
         setRay(rays.ray, i, packet.origins[i], packet.directions[i], packet.reach[i]);
     }
-    return met(scene_.get(), rays, valid, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+    return met(scene_.get(), rays, valid);
 }
 
 } // namespace reflectance

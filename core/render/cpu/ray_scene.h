@@ -12,15 +12,6 @@ struct RTCSceneTy;
 
 namespace reflectance {
 
-/// Eight rays from one eye, as Embree traces them together.
-struct RayPacket {
-    static constexpr std::size_t size = 8;
-
-    Vec3d eye;
-    std::array<double, size> x, y, z; ///< unit directions
-    std::array<bool, size> active{};  ///< false: not to be traced
-};
-
 /// Eight pieces of rays, each with an origin of its own. Floats serve them well where the mesh is about as large as 1.
 struct SegmentPacket {
     std::array<Vec3d, 8> origins, directions; ///< unit directions
@@ -36,8 +27,12 @@ public:
 
     [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
 
+    [[nodiscard]] double radius() const { return radius_; } ///< of a sphere about the origin that holds the mesh
+    [[nodiscard]] RTCSceneTy* embree() const { return scene_.get(); }
+    /// How many rays this processor traces together: 16 or 8.
+    [[nodiscard]] int packetSize() const { return packetSize_; }
+
     /// The first triangle that each ray of the packet meets, or `nothing`.
-    [[nodiscard]] std::array<std::uint32_t, 8> firstTriangles(const RayPacket& packet) const;
     [[nodiscard]] std::array<std::uint32_t, 8> firstTriangles(const SegmentPacket& packet) const;
 
 private:
@@ -47,8 +42,9 @@ private:
     };
 
     std::shared_ptr<const Mesh> mesh_;
-    double radius_ = 0.0; ///< of a sphere about the origin that holds the mesh
+    double radius_ = 0.0;
     std::unique_ptr<RTCDeviceTy, Release> device_;
+    int packetSize_ = 8;
     std::unique_ptr<RTCSceneTy, Release> scene_;
 };
 

@@ -72,9 +72,9 @@ void intensitiesAt(const Light& light, const std::array<T, blockSize>& distances
 } // namespace
 
 template <class T>
-SampleShader<T>::SampleShader(const ViewSamples& samples, const Scene& scene, const Kernel<T>& kernel,
-                              std::vector<double> values, bool looksAtViewer)
-    : samples_(samples), kernel_(kernel), values_(std::move(values)), scene_(scene),
+SampleShader<T>::SampleShader(const Scene& scene, const Kernel<T>& kernel, std::vector<double> values,
+                              bool looksAtViewer)
+    : kernel_(kernel), values_(std::move(values)), scene_(scene),
       measured_(lookUpsIn(scene.surface.table.get()).in<T>()), paintsHoles_(showsHoles(scene)),
       looksAtViewer_(looksAtViewer)
 {
@@ -93,19 +93,20 @@ SampleShader<T>::SampleShader(const ViewSamples& samples, const Scene& scene, co
         surroundings_ = {radianceThere<T>, &scene.environment};
 }
 
-template <class T> void SampleShader<T>::load(std::size_t first, std::size_t count, ShadeBlock<T>& block) const
+template <class T>
+void SampleShader<T>::load(const ViewSamples& samples, std::size_t first, std::size_t count, ShadeBlock<T>& block) const
 {
     const auto rounded = [](double number) { return static_cast<T>(number); };
-    std::transform(&samples_.Nx[first], &samples_.Nx[first] + count, block.N.x.begin(), rounded);
-    std::transform(&samples_.Ny[first], &samples_.Ny[first] + count, block.N.y.begin(), rounded);
-    std::transform(&samples_.Nz[first], &samples_.Nz[first] + count, block.N.z.begin(), rounded);
+    std::transform(&samples.Nx[first], &samples.Nx[first] + count, block.N.x.begin(), rounded);
+    std::transform(&samples.Ny[first], &samples.Ny[first] + count, block.N.y.begin(), rounded);
+    std::transform(&samples.Nz[first], &samples.Nz[first] + count, block.N.z.begin(), rounded);
     block.sum.fill({});
     if (!looksAtViewer_) {
         block.V.fill({});
         return;
     }
     alignas(64) std::array<T, blockSize> distances;
-    directionsTo(samples_.eye, samples_, first, count, block.V, distances);
+    directionsTo(samples.eye, samples, first, count, block.V, distances);
 }
 
 template <class T>
@@ -115,15 +116,17 @@ void SampleShader<T>::addLight(const LightColumns& light, std::size_t count, Sha
                                    light.lightDisc.data(), block.sum.write(), measured_});
 }
 
-template <class T> void SampleShader<T>::shade(std::size_t first, std::size_t count, ShadeBlock<T>& block) const
+template <class T>
+void SampleShader<T>::shade(const ViewSamples& samples, std::size_t first, std::size_t count,
+                            ShadeBlock<T>& block) const
 {
-    load(first, count, block);
+    load(samples, first, count, block);
     for (const LightColumns& light : directional_)
         addLight(light, count, block);
     for (const Light& light : point_) {
         LightColumns columns;
         alignas(64) std::array<T, blockSize> distances;
-        directionsTo(light.position, samples_, first, count, columns.L, distances);
+        directionsTo(light.position, samples, first, count, columns.L, distances);
         intensitiesAt(light, distances, count, columns.I);
         columns.lightDisc.fill(static_cast<T>(discOf(light)));
         addLight(columns, count, block);
@@ -131,7 +134,7 @@ template <class T> void SampleShader<T>::shade(std::size_t first, std::size_t co
     if (surroundings_.radiance != nullptr)
         kernel_.environment(values_.data(), block.environmentBatch(count, surroundings_));
     if (paintsHoles_)
-        paintHoles(samples_, scene_, first, count, block.sum);
+        paintHoles(samples, scene_, first, count, block.sum);
 }
 
 template class SampleShader<double>;

@@ -11,13 +11,12 @@ namespace reflectance {
 
 template <class T> class SampleShader {
 public:
-    /// The kernel and its values are the scene's, or what the scene requires of them; samples and scene must outlive the
-    /// shader. A kernel that does not look at the viewer gets no V.
-    SampleShader(const ViewSamples& samples, const Scene& scene, const Kernel<T>& kernel, std::vector<double> values,
-                 bool looksAtViewer);
+    /// The kernel and its values are the scene's, or what the scene requires of them; the scene must outlive the shader.
+    /// A kernel that does not look at the viewer gets no V.
+    SampleShader(const Scene& scene, const Kernel<T>& kernel, std::vector<double> values, bool looksAtViewer);
 
     /// Radiance of samples first .. first + count, count <= blockSize, into block.sum.
-    void shade(std::size_t first, std::size_t count, ShadeBlock<T>& block) const;
+    void shade(const ViewSamples& samples, std::size_t first, std::size_t count, ShadeBlock<T>& block) const;
 
 private:
     /// A light as a block of samples sees it. Those of a directional light are the same for every block.
@@ -26,10 +25,9 @@ private:
         alignas(64) std::array<T, blockSize> lightDisc;
     };
 
-    void load(std::size_t first, std::size_t count, ShadeBlock<T>& block) const;
+    void load(const ViewSamples& samples, std::size_t first, std::size_t count, ShadeBlock<T>& block) const;
     void addLight(const LightColumns& light, std::size_t count, ShadeBlock<T>& block) const;
 
-    const ViewSamples& samples_;
     const Kernel<T>& kernel_;
     std::vector<double> values_;
     std::vector<LightColumns> directional_;

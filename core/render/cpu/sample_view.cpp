@@ -1,138 +1,104 @@
 // Visibility: which triangle each sample meets (Embree), then where and with which normal (double).
+#include "core/image/image.h"
+#include "core/render/cpu/cpu_renderer.h"
 #include "core/render/cpu/in_parallel.h"
-#include "core/render/cpu/pixel_rays.h"
-#include "core/render/cpu/ray_scene.h"
-#include "core/render/cpu/row_band.h"
-#include "core/render/cpu/surface_point.h"
+#include "core/render/cpu/stretch.h"
+#include "core/render/cpu/tile_tracer.h"
 
 #include <algorithm>
+#include <memory>
+#include <tbb/enumerable_thread_specific.h>
 
 namespace reflectance {
 namespace {
 
-constexpr int tileSize = 32;
+/// Not written before they are traced.
+using AllHits = std::unique_ptr<TileHits[]>;
 
-/// The triangle of every sample of a band, sample by sample within a pixel.
-struct Hits {
-    RowBand band;
-    int width = 0;
-    int perPixel = 0;
-    std::vector<std::uint32_t> triangles;
-
-    [[nodiscard]] std::size_t pixel(int x, int y) const
-    {
-        return static_cast<std::size_t>(y - band.first) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-    }
-    [[nodiscard]] std::uint32_t* samplesOf(int x, int y)
-    {
-        return &triangles[pixel(x, y) * static_cast<std::size_t>(perPixel)];
-    }
-};
-
-/// Traces sample s of 4 x 2 pixels: neighbours share most of their way through Embree's tree.
-void tracePixels(const RayScene& rays, const PixelRays& pixelRays, int left, int top, int s, RayPacket& packet,
-                 Hits& hits)
+/// Counts in `counts`, one for each pixel, how many of its samples met something.
+void countSamples(const TileHits& hits, const Tile& tile, const RenderSettings& settings, std::uint32_t* counts)
 {
-    const auto inside = [&](int x, int y) { return x < hits.width && y < hits.band.first + hits.band.rows; };
-    for (int i = 0; i < 8; ++i) {
-        const int x = left + i % 4;
-        const int y = top + i / 4;
-        const auto ray = static_cast<std::size_t>(i);
-        packet.active[ray] = inside(x, y);
-    }
-    pixelRays.throughBlock(left, top, s, packet.x, packet.y, packet.z);
-    const auto triangles = rays.firstTriangles(packet);
-    for (int i = 0; i < 8; ++i)
-        if (packet.active[static_cast<std::size_t>(i)])
-            hits.samplesOf(left + i % 4, top + i / 4)[s] = triangles[static_cast<std::size_t>(i)];
+    for (int y = 0; y < tile.height; ++y)
+        for (int x = 0; x < tile.width; ++x) {
+            const std::size_t pixel =
+                Image::pixelCount(settings.width, tile.top + y) + static_cast<std::size_t>(tile.left + x);
+            counts[pixel] = samplesMet(hits, settings.samplesPerAxis, x, y);
+        }
 }
 
-void traceTile(const RayScene& rays, const PixelRays& pixelRays, const Vec3d& eye, int left, int top, Hits& hits)
+/// From counts, each one place to the right, to the offsets of each pixel's samples.
+void sumUp(std::vector<std::uint32_t>& offsets)
 {
-    RayPacket packet;
-    packet.eye = eye;
-    const int right = std::min(left + tileSize, hits.width);
-    const int bottom = std::min(top + tileSize, hits.band.first + hits.band.rows);
-    for (int s = 0; s < hits.perPixel; ++s)
-        for (int y = top; y < bottom; y += 2)
-            for (int x = left; x < right; x += 4)
-                tracePixels(rays, pixelRays, x, y, s, packet, hits);
-}
-
-Hits traceBand(const RayScene& rays, const PixelRays& pixelRays, const Vec3d& eye, const RenderSettings& settings,
-               RowBand band, Stretch stretch)
-{
-    const int perPixel = settings.samplesPerAxis * settings.samplesPerAxis;
-    Hits hits{band, settings.width, perPixel, {}};
-    hits.triangles.assign(Image::pixelCount(settings.width, band.rows) * static_cast<std::size_t>(perPixel),
-                          RayScene::nothing);
-    const int across = (settings.width + tileSize - 1) / tileSize;
-    const int tiles = across * ((band.rows + tileSize - 1) / tileSize);
-    inParallel(0, tiles, [&](int tile) {
-        if (stretch.cancelled())
-            return;
-        traceTile(rays, pixelRays, eye, tile % across * tileSize, band.first + tile / across * tileSize, hits);
-        stretch.advance(0.5 / tiles);
-    });
-    return hits;
-}
-
-/// Offsets of each pixel's samples among those that met the object.
-std::vector<std::uint32_t> offsetsOf(const Hits& hits)
-{
-    const auto perPixel = static_cast<std::size_t>(hits.perPixel);
-    std::vector<std::uint32_t> offsets(hits.triangles.size() / perPixel + 1, 0);
-    for (std::size_t i = 0; i < hits.triangles.size(); ++i)
-        offsets[i / perPixel + 1] += hits.triangles[i] != RayScene::nothing ? 1U : 0U;
     for (std::size_t pixel = 1; pixel < offsets.size(); ++pixel)
         offsets[pixel] += offsets[pixel - 1];
-    return offsets;
 }
 
+/// Makes room for the samples, several columns at a time: it is the first touch of much memory.
 void resize(ViewSamples& samples, std::size_t count)
 {
-    for (auto* numbers : {&samples.Px, &samples.Py, &samples.Pz, &samples.Nx, &samples.Ny, &samples.Nz})
-        numbers->resize(count);
-    samples.triangle.resize(count);
+    std::vector<double>* const columns[] = {&samples.Px, &samples.Py, &samples.Pz,
+                                            &samples.Nx, &samples.Ny, &samples.Nz};
+    inParallel(0, 7, [&](int i) {
+        if (i < 6)
+            columns[i]->resize(count);
+        else
+            samples.triangle.resize(count);
+    });
 }
 
-void storeRow(const Mesh& mesh, const PixelRays& pixelRays, Hits& hits, int y, ViewSamples& samples)
+/// Copies a row of a tile to its place among all samples.
+void storeRow(const ViewSamples& from, const Tile& tile, int y, ViewSamples& to)
 {
-    std::size_t i = samples.firstOfPixel[hits.pixel(0, y)];
-    for (int x = 0; x < hits.width; ++x) {
-        const std::uint32_t* triangles = hits.samplesOf(x, y);
-        for (int s = 0; s < hits.perPixel; ++s) {
-            if (triangles[s] == RayScene::nothing)
-                continue;
-            const auto [P, N] = surfacePoint(mesh, triangles[s], samples.eye, pixelRays.throughSample(x, y, s));
-            samples.triangle[i] = triangles[s];
-            samples.Px[i] = P.x;
-            samples.Py[i] = P.y;
-            samples.Pz[i] = P.z;
-            samples.Nx[i] = N.x;
-            samples.Ny[i] = N.y;
-            samples.Nz[i] = N.z;
-            ++i;
-        }
-    }
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.width);
+    const std::size_t first = from.firstOfPixel[row];
+    const std::size_t last = from.firstOfPixel[row + static_cast<std::size_t>(tile.width)];
+    const std::size_t place =
+        to.firstOfPixel[Image::pixelCount(to.settings.width, tile.top + y) + static_cast<std::size_t>(tile.left)];
+    const auto copy = [&](const auto& source, auto& target) {
+        std::copy(source.data() + first, source.data() + last, target.data() + place);
+    };
+    copy(from.Px, to.Px);
+    copy(from.Py, to.Py);
+    copy(from.Pz, to.Pz);
+    copy(from.Nx, to.Nx);
+    copy(from.Ny, to.Ny);
+    copy(from.Nz, to.Nz);
+    copy(from.triangle, to.triangle);
 }
 
 } // namespace
 
-ViewSamples sampleBand(const RayScene& rays, const Camera& camera, const RenderSettings& settings, RowBand band,
-                       Stretch stretch)
+ViewSamples sampleView(const RayScene& rays, const Camera& camera, const RenderSettings& settings, Progress* progress)
 {
     const PixelRays pixelRays(camera, settings);
-    Hits hits = traceBand(rays, pixelRays, camera.eye, settings, band, stretch);
+    const Tiles tiles(settings);
+    const Stretch stretch{progress, 0.5 / tiles.count()};
     ViewSamples samples;
     samples.settings = settings;
     samples.eye = camera.eye;
-    samples.firstOfPixel = offsetsOf(hits);
-    resize(samples, samples.firstOfPixel.back());
-    inParallel(band.first, band.first + band.rows, [&](int y) {
+    samples.firstOfPixel.resize(Image::pixelCount(settings.width, settings.height) + 1);
+    const AllHits hits(new TileHits[static_cast<std::size_t>(tiles.count())]);
+    inParallel(0, tiles.count(), [&](int i) {
+        TileHits& its = hits[static_cast<std::size_t>(i)];
+        its.any = false;
         if (!stretch.cancelled())
-            storeRow(rays.mesh(), pixelRays, hits, y, samples);
-        stretch.advance(0.5 / band.rows);
+            traceTile(rays, pixelRays, settings, tiles[i], rays.packetSize(), its);
+        if (its.any)
+            countSamples(its, tiles[i], settings, samples.firstOfPixel.data() + 1);
+        stretch.advance(1.0);
+    });
+    sumUp(samples.firstOfPixel);
+    resize(samples, samples.firstOfPixel.back());
+    tbb::enumerable_thread_specific<TileSamples> room(settings, camera.eye);
+    inParallel(0, tiles.count(), [&](int i) {
+        const Tile tile = tiles[i];
+        const TileHits& its = hits[static_cast<std::size_t>(i)];
+        if (its.any && !stretch.cancelled()) {
+            const ViewSamples& found = room.local().find(rays.mesh(), pixelRays, tile, its);
+            for (int y = 0; y < tile.height; ++y)
+                storeRow(found, tile, y, samples);
+        }
+        stretch.advance(1.0);
     });
     return samples;
 }

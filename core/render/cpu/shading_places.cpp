@@ -191,7 +191,7 @@ Image shadePlaces(const PlacedView& view, const Scene& scene, const Arithmetic& 
             for (std::size_t s = samples.firstOfPixel[first + i]; s < samples.firstOfPixel[first + i + 1]; ++s)
                 sums[i] += Vec3d(colorOf(view, colors, s));
     };
-    shadePixelRuns<double>(samples, {0, image.height}, scene, {}, sum, image);
+    shadePixelRuns<double>(samples, scene, {}, sum, image);
     return image;
 }
 

@@ -75,7 +75,7 @@ Result<Rendered> renderByCpu(const Scene& scene, const RenderSettings& settings,
     rendered.precision = std::string(nameOf(plan.precision));
     if (plan.precision == Precision::Simd)
         rendered.precision += std::string(" (") + lanesName() + ")";
-    if (plan.frames == 1 && plan.place == Place::Sample) { // in bands, which keeps huge pictures small in memory
+    if (plan.frames == 1 && plan.place == Place::Sample) { // keeps no samples: huge pictures stay small
         const Clock::time_point start = Clock::now();
         rendered.image = renderOnCpu(scene, settings, {plan.precision, plan.lobe, plan.specialised}, progress);
         rendered.firstFrameMilliseconds = millisecondsSince(start);

@@ -20,7 +20,7 @@ std::optional<ProbedPoint> neighbour(const Scene& scene, const ProbedPoint& here
 {
     for (const double sign : {1.0, -1.0}) {
         const auto there =
-            pointAt(*scene.mesh, scene.camera, here.x + sign * dx, here.y + sign * dy, here.width, here.height);
+            pointAt(scene.mesh, scene.camera, here.x + sign * dx, here.y + sign * dy, here.width, here.height);
         // Across a silhouette the surface jumps; a slope there would mean nothing.
         if (there && length(there->P - here.P) < 0.1)
             return there;
@@ -135,7 +135,7 @@ ProbedPoint atPeak(const Wish& wish, const Light& light, ProbedPoint best)
             better = false;
             for (const auto& [dx, dy] : {std::pair{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}) {
                 const auto next =
-                    pointAt(*wish.scene.mesh, wish.scene.camera, best.x + dx, best.y + dy, best.width, best.height);
+                    pointAt(wish.scene.mesh, wish.scene.camera, best.x + dx, best.y + dy, best.width, best.height);
                 if (next && spotAngleAt(wish, light, *next) < spotAngleAt(wish, light, best)) {
                     best = *next;
                     better = true;
@@ -174,7 +174,7 @@ std::optional<ProbedPoint> spotIn(const Scene& scene, const Light& light, int wi
         const Vec3d image = projected(scene.camera, candidate.P, width, height);
         if (!(image.z > 0.0) || image.x < 0.0 || image.y < 0.0 || image.x > width || image.y > height)
             continue;
-        const auto seen = pointAt(*scene.mesh, scene.camera, image.x, image.y, width, height);
+        const auto seen = pointAt(scene.mesh, scene.camera, image.x, image.y, width, height);
         if (seen && length(seen->P - candidate.P) < 1e-3)
             return atPeak(wish, light, *seen);
     }

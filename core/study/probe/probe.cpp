@@ -4,6 +4,7 @@
 #include "core/reflectance/walked/dissected.h"
 #include "core/render/cpu/surface_point.h"
 #include "core/sensor/sensor.h"
+#include "core/study/probe/triangle_runs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,6 +139,31 @@ double distanceAlong(const Mesh& mesh, std::size_t triangle, const Vec3d& eye, c
     return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 ? t : std::numeric_limits<double>::infinity();
 }
 
+struct ImagePoint {
+    double x, y;
+    int width, height;
+};
+
+/// The nearest of the triangles that candidates(eye, direction, visit) visits in ascending order.
+template <class Candidates>
+std::optional<ProbedPoint> nearestPoint(const Mesh& mesh, const Camera& camera, const ImagePoint& at,
+                                        const Candidates& candidates)
+{
+    const Vec3d direction = rayThrough(camera, at.x, at.y, at.width, at.height);
+    std::optional<std::uint32_t> first;
+    double nearest = std::numeric_limits<double>::infinity();
+    candidates(camera.eye, direction, [&](std::size_t i) {
+        if (const double t = distanceAlong(mesh, i, camera.eye, direction); t < nearest) {
+            nearest = t;
+            first = static_cast<std::uint32_t>(i);
+        }
+    });
+    if (!first)
+        return std::nullopt;
+    const SurfacePoint point = surfacePoint(mesh, *first, camera.eye, direction);
+    return ProbedPoint{at.x, at.y, at.width, at.height, point.P, point.N, *first};
+}
+
 std::string conventionOf(const Scene& scene, const Model& model)
 {
     const auto& parameters = model.text.parameters;
@@ -153,18 +179,21 @@ std::string conventionOf(const Scene& scene, const Model& model)
 
 std::optional<ProbedPoint> pointAt(const Mesh& mesh, const Camera& camera, double x, double y, int width, int height)
 {
-    const Vec3d direction = rayThrough(camera, x, y, width, height);
-    std::optional<std::uint32_t> first;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        if (const double t = distanceAlong(mesh, i, camera.eye, direction); t < nearest) {
-            nearest = t;
-            first = static_cast<std::uint32_t>(i);
-        }
-    if (!first)
-        return std::nullopt;
-    const SurfacePoint point = surfacePoint(mesh, *first, camera.eye, direction);
-    return ProbedPoint{x, y, width, height, point.P, point.N, *first};
+    const auto all = [&](const Vec3d&, const Vec3d&, const auto& visit) {
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+            visit(i);
+    };
+    return nearestPoint(mesh, camera, {x, y, width, height}, all);
+}
+
+std::optional<ProbedPoint> pointAt(const std::shared_ptr<const Mesh>& mesh, const Camera& camera, double x, double y,
+                                   int width, int height)
+{
+    const std::shared_ptr<const TriangleRuns> runs = runsOf(mesh);
+    const auto near = [&](const Vec3d& eye, const Vec3d& direction, const auto& visit) {
+        runs->along(eye, direction, visit);
+    };
+    return nearestPoint(*mesh, camera, {x, y, width, height}, near);
 }
 
 Probe probeAt(const Scene& scene, const ProbedPoint& point)

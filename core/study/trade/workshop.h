@@ -36,7 +36,7 @@ public:
     /// Milliseconds of shading what is seen again, upscaling included on the CPU (a GPU does it while showing the picture).
     [[nodiscard]] Result<double> shadingTime(const Prepared& prepared);
 
-    /// The double picture with 8 x 8 samples per pixel, in bands. Stopped where progress says so, of which it is a share.
+    /// The double picture with 8 x 8 samples per pixel, none of them kept. Stopped where progress says so, of which it is a share.
     [[nodiscard]] static Image truth(const Scene& scene, const RenderSettings& settings, Progress* progress,
                                      double share = 1.0);
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace reflectance {
 namespace {
@@ -164,6 +165,46 @@ TEST(Probe, MissesBesideTheObject)
 {
     const View view = viewOf("lambert");
     EXPECT_FALSE(pointAt(*view.scene.mesh, view.scene.camera, 0.5, 0.5, width, height));
+}
+
+bool samePoint(const std::optional<ProbedPoint>& a, const std::optional<ProbedPoint>& b)
+{
+    if (!a || !b)
+        return !a && !b;
+    return a->triangle == b->triangle && a->P == b->P && a->N == b->N;
+}
+
+/// The mesh with its triangles in another order, neighbours far apart.
+std::shared_ptr<const Mesh> shuffled(const Mesh& mesh)
+{
+    auto other = std::make_shared<Mesh>(mesh);
+    std::shuffle(other->triangles.begin(), other->triangles.end(), std::mt19937(3));
+    return other;
+}
+
+TEST(Probe, LooksOnlyNearTheRayAndFindsTheSamePoint)
+{
+    const Scene scene = defaultScene();
+    Camera inside = scene.camera;
+    inside.eye = {0.05, 0.0, 0.1};
+    Camera far = scene.camera;
+    far.eye = 20.0 * far.eye;
+    far.fieldOfView = 2.0;
+    for (const auto& mesh : {scene.mesh, shuffled(*scene.mesh)})
+        for (const Camera& camera : {scene.camera, inside, far}) {
+            int met = 0;
+            for (double y = 4.5; y < height; y += 5.0)
+                for (double x = 3.5; x < width; x += 5.0) {
+                    const auto point = pointAt(*mesh, camera, x, y, width, height);
+                    EXPECT_TRUE(samePoint(pointAt(mesh, camera, x, y, width, height), point)) << x << ' ' << y;
+                    met += point ? 1 : 0;
+                    if (point) {
+                        EXPECT_FALSE(samePoint(pointAt(mesh, camera, x + 1.0, y, width, height), point))
+                            << "the planted fault: a pixel to the side";
+                    }
+                }
+            EXPECT_GT(met, 0);
+        }
 }
 
 TEST(Probe, CsvHasARowForEachLight)

@@ -129,7 +129,7 @@ TEST(Page, NeedsNothingBesideItself)
     trade.skipped = {{"k_grey", "K <is> grey already"}};
     const std::string page = htmlOf(trade, {0.25, {}}, "reflectance trade mug");
     for (const Candidate& candidate : trade.candidates)
-        EXPECT_THAT(page, HasSubstr(">" + nameOf(candidate.recipe) + "<"));
+        EXPECT_THAT(page, HasSubstr('>' + nameOf(candidate.recipe) + '<'));
     EXPECT_THAT(page, HasSubstr("<svg"));
     EXPECT_THAT(page, HasSubstr("K &lt;is&gt; grey already"));
     EXPECT_THAT(page, testing::Not(HasSubstr("src=")));
