@@ -322,8 +322,8 @@ void keepPreferences(Session& session)
 
 Result<Outcome> runExplorer(const ExplorerOptions& options)
 {
-    StartClock start;
-    start.note("program loaded, options read");
+    StartClock clock;
+    clock.note("program loaded, options read");
     std::optional<Recording> recording;
     if (!options.replay.empty()) {
         Result<Recording> loaded = loadRecording(options.replay);
@@ -334,20 +334,20 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
     const std::optional<Desktop> desktop = Desktop::connect();
     if (!desktop)
         return Outcome::NoDisplay;
-    start.note("display");
+    clock.note("display");
     const Result<Preferences> preferences = loadPreferences(settingsFolder());
     const Preferences start = preferences ? *preferences : Preferences();
     Result<Window> window = Window::open(start.windowWidth, start.windowHeight, start.interfaceScale);
     if (!window)
         return window.error();
-    start.note("window and GL context");
+    clock.note("window and GL context");
     Result<GlRenderer> renderer = GlRenderer::create(Window::loader(), programsFolder());
     if (!renderer)
         return renderer.error();
 
-    start.note("renderer");
+    clock.note("renderer");
     Session session(*window, *renderer);
-    session.start = start;
+    session.start = clock;
     session.state.preferences = start;
     session.state.renderer = renderer->description();
     session.state.scene = defaultScene();

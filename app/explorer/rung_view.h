@@ -6,6 +6,7 @@
 #include "app/explorer/worker.h"
 #include "core/render/gl/gl_renderer.h"
 #include "core/sensor/sensor.h"
+#include "core/study/trade/rung.h"
 #include "core/study/trade/workshop.h"
 
 #include <functional>
