@@ -1,4 +1,4 @@
-// `render --highlight-at`: the light that puts its highlight at a point of the picture.
+// `render --highlight-at`, `--edge-at`: the light that puts its highlight at a point of the picture, the width that ends it there.
 #pragma once
 
 #include "core/render/settings.h"
@@ -6,11 +6,17 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 namespace reflectance::cli {
 
 /// "X,Y" or "X,Y,LIGHT": moves that light (from 1; the first that is on) so that R.V peaks there. Returns its index.
 [[nodiscard]] Result<std::size_t> putHighlight(const std::string& text, const RenderSettings& settings, Scene& scene);
+
+/// "X,Y" or "X,Y,LIGHT": gives A's surface the width with which that light's highlight has half its height there. Returns the
+/// name of the model's number that says so, and its value.
+[[nodiscard]] Result<std::pair<std::string, double>> putEdge(const std::string& text, const RenderSettings& settings,
+                                                             Scene& scene);
 
 /// Where the light is now.
 [[nodiscard]] nlohmann::ordered_json lightReport(const Light& light, std::size_t index);

@@ -78,6 +78,8 @@ int run(int argc, char** argv)
         ->check(CLI::Range(1, explorer::tourLength()));
     program.add_option("--record", options.record, "write what you do in the window to this file (JSON), for --replay");
     program.add_option("--replay", options.replay, "do again what a recording holds");
+    program.add_flag("--first-picture", options.firstPicture,
+                     "open the window, say what its first picture took, stage by stage, and close it");
     bool man = false, completion = false;
     program.add_flag("--man", man, "print the manual page, made from these tables of options");
     program.add_flag("--bash-completion", completion, "print what bash completes, made from the same tables");

@@ -6,6 +6,7 @@
 #include "app/cli/probe_report.h"
 #include "app/cli/render_options.h"
 #include "app/cli/report.h"
+#include "app/cli/rung_pictures.h"
 #include "app/cli/verbs.h"
 #include "app/cli/waterfall_report.h"
 #include "app/explorer/shown_picture.h"
@@ -30,6 +31,24 @@ namespace reflectance::cli {
 namespace {
 
 using Options = RenderOptions;
+
+/// Of the surfaces that are shown.
+nlohmann::ordered_json rungsReport(const Scene& scene, VariantView shown, const std::vector<SkippedRung>& withoutEffect)
+{
+    nlohmann::ordered_json rungs;
+    if (shown != VariantView::B)
+        rungs["A"] = scene.surface.rungs;
+    if (shown != VariantView::A && scene.other)
+        rungs["B"] = scene.other->rungs;
+    for (const SkippedRung& rung : withoutEffect)
+        rungs["without_effect"].push_back({{"rung", rung.rung}, {"why", rung.why}});
+    return rungs;
+}
+
+nlohmann::ordered_json differenceReport(const explorer::DifferenceFigures& figures)
+{
+    return {{"identical", figures.identical}, {"rmse", figures.rmse}, {"max", figures.maxAbs}, {"pixels", figures.pixels}};
+}
 
 nlohmann::ordered_json report(const Options& options, const Scene& scene, const PictureRecipe& recipe,
                               const Rendered& rendered, const SensorCounts& counts,
@@ -102,6 +121,7 @@ struct Made {
     PictureRecipe recipe;
     Rendered last;   ///< without its image
     std::string why; ///< the backend was chosen; empty where it was asked for
+    std::vector<SkippedRung> withoutEffect = {};
 };
 
 /// `auto`, resolved once for all renderings of a picture; a flag that names something of GL's leaves no choice.
@@ -123,8 +143,13 @@ Result<Made> make(const Options& options, const Scene& scene, const RenderSettin
     Made made;
     made.recipe = recipeFrom(options, settings, "cpu", "double");
     made.why = choice.why;
+    std::optional<RungPictures> byRungs;
+    if (asksForRungs(scene, made.recipe.shown))
+        byRungs.emplace(scene, made.recipe.shown, chosen);
     const auto render = [&](const Scene& variant, int width, int height) -> Result<Image> {
-        auto rendered = renderPicture(variant, {width, height, settings.samplesPerAxis}, chosen, &LongWork::progress());
+        const RenderSettings size{width, height, settings.samplesPerAxis};
+        auto rendered = byRungs ? byRungs->render(variant, size)
+                                : renderPicture(variant, size, chosen, &LongWork::progress());
         if (!rendered)
             return rendered.error();
         made.last = *std::move(rendered);
@@ -134,7 +159,11 @@ Result<Made> make(const Options& options, const Scene& scene, const RenderSettin
     if (!picture)
         return picture.error();
     made.picture = *std::move(picture);
-    made.recipe = recipeFrom(options, settings, made.last.backend, made.last.precision);
+    if (byRungs)
+        made.withoutEffect = byRungs->withoutEffect();
+    // Rungs are the scene's; the recipe says how the rest is drawn.
+    made.recipe = recipeFrom(options, settings, byRungs ? byRungs->backend() : made.last.backend,
+                             byRungs ? byRungs->precision() : made.last.precision);
     return made;
 }
 
@@ -204,6 +233,15 @@ Result<std::optional<Waterfall>> waterfallFrom(const Options& options, const Sce
     return std::optional(*std::move(waterfall));
 }
 
+/// What a reader of the picture would not see in it.
+void tellRungs(const Made& made)
+{
+    for (const SkippedRung& rung : made.withoutEffect)
+        std::cerr << "rung " << rung.rung << " changes nothing: " << rung.why << '\n';
+    if (const auto& difference = made.picture.difference)
+        std::cerr << explorer::figuresText(difference) << '\n';
+}
+
 int renderAndReport(const Options& options, const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
                     std::optional<std::size_t> highlight)
 {
@@ -221,6 +259,11 @@ int renderAndReport(const Options& options, const Scene& scene, const RenderSett
     auto figures = report(options, scene, made->recipe, made->last, made->picture.codes.counts, *waterfall, highlight);
     if (!made->why.empty())
         figures["backend_why"] = made->why;
+    if (asksForRungs(scene, made->recipe.shown))
+        figures["rungs"] = rungsReport(scene, made->recipe.shown, made->withoutEffect);
+    if (made->picture.difference)
+        figures["difference"] = differenceReport(*made->picture.difference);
+    tellRungs(*made);
     if (const auto written = writeReport(options.json, figures); !written)
         return refused(written.error());
     if (options.reference.empty())
@@ -295,6 +338,12 @@ int run(const Options& asked)
             return refused(moved.error());
         highlight = *moved;
     }
+    if (!options.edgeAt.empty()) {
+        const auto width = putEdge(options.edgeAt, *settings, *scene);
+        if (!width)
+            return refused(width.error());
+        std::cerr << width->first << " = " << general(width->second, 6) << '\n';
+    }
     if (const auto fits = checkLobe(*scene, plan->lobe); !fits)
         return refused(fits.error());
     return options.lens.empty() ? renderAndReport(options, *scene, *settings, *plan, highlight)
@@ -306,7 +355,8 @@ void addVariantOptions(CLI::App& verb, Options& options)
 {
     verb.add_option("--variant", options.variant,
                     "of a scene with two surfaces: A (the default), B, both side by side or in a wipe, or the signed "
-                    "difference of luminance, B less A (PNG); or the name of a variant that the scene keeps");
+                    "difference of luminance, B less A (PNG); or the name of a variant that the scene keeps, drawn with "
+                    "the rungs that it keeps (see trade --list)");
     verb.add_option("--a", options.variantA, "NAME of a kept variant, in A's place");
     verb.add_option("--b", options.variantB, "NAME of a kept variant, in B's place");
     verb.add_option("--divider", options.divider, "of a wipe: A's share of the width")
@@ -329,6 +379,10 @@ void addRender(CLI::App& program, int& exitCode)
             "--highlight-at", options->highlightAt,
             "X,Y[,LIGHT] in pixels: that light (from 1; the first that is on) moves so that its highlight peaks "
             "there, R.V = 1; where the surface has none, N.L = 1")
+        ->excludes(verb->get_option("--probe"));
+    verb->add_option("--edge-at", options->edgeAt,
+                     "X,Y[,LIGHT] in pixels: the number of the model that makes its highlight wide or narrow (n, alpha, m) "
+                     "becomes the one with which that light's highlight has half its height there; after --highlight-at")
         ->excludes(verb->get_option("--probe"));
     verb->add_option(
             "--backend", options->backend,

@@ -18,6 +18,7 @@ struct RenderOptions {
     std::string shading;
     std::string lens;
     std::string highlightAt; ///< "X,Y" or "X,Y,LIGHT"; empty: the lights stay
+    std::string edgeAt;      ///< the same; empty: the highlight's width stays
     std::string probe;       ///< "X,Y" in pixels; empty: none
     std::string lobe;        ///< empty: conditioned, or as a saved picture has
     std::string variant; ///< "A", "B", "side", "wipe", "difference" or a kept name; empty: A, or as a saved picture has

@@ -1,5 +1,7 @@
 #include "app/explorer/changes.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -31,6 +33,8 @@ std::string nameOf(const Surface& before, const Surface& after)
 {
     if (before.model != after.model)
         return "Model " + modelOf(after).text.name;
+    if (before.rungs != after.rungs)
+        return after.rungs.empty() ? "No rung" : "Rungs " + joined(after.rungs, " + ");
     const std::vector<std::string> names = changedValues(before.values, after.values);
     if (names.size() == 1)
         return labelOf(names.front());
@@ -82,6 +86,18 @@ std::string nameOf(const std::vector<KeptSurface>& before, const std::vector<Kep
     return "Variants";
 }
 
+std::string nameOf(const std::vector<Pin>& before, const std::vector<Pin>& after)
+{
+    if (before.size() < after.size())
+        return "Pin " + after.back().name;
+    if (before.size() > after.size())
+        return "Remove a pin";
+    for (std::size_t i = 0; i < after.size(); ++i)
+        if (before[i].name != after[i].name)
+            return "Rename pin " + before[i].name;
+    return "Pins";
+}
+
 std::string nameOf(CompareMode mode)
 {
     constexpr const char* names[] = {"Side by side", "Wipe", "Flip", "Difference"};
@@ -112,6 +128,7 @@ std::vector<std::string> partsOf(const Scene& a, const Scene& b)
     note(a.other && b.other && *a.other != *b.other, [&] { return "B: " + nameOf(*a.other, *b.other); });
     note(a.other.has_value() != b.other.has_value(), [] { return std::string("Compare"); });
     note(a.variants != b.variants, [&] { return nameOf(a.variants, b.variants); });
+    note(a.pins != b.pins, [&] { return nameOf(a.pins, b.pins); });
     note(a.lights != b.lights, [&] { return nameOf(a.lights, b.lights); });
     note(a.environment != b.environment, [] { return std::string("Environment"); });
     note(a.background != b.background, [] { return std::string("Background"); });

@@ -1,5 +1,6 @@
 #include "app/explorer/difference.h"
 
+#include "core/base/text.h"
 #include "core/image/colour_difference.h"
 #include "core/image/compare.h"
 #include "core/image/flip.h"
@@ -172,6 +173,24 @@ std::optional<DifferencePicture> differenceOf(const Image& a, const Image& b, do
     picture.figures = *figures;
     picture.figures.ofRegion = region.has_value();
     return picture;
+}
+
+std::string figuresText(const std::optional<DifferenceFigures>& figures)
+{
+    if (!figures)
+        return "measuring\u2026";
+    if (figures->pixels == 0)
+        return "The object is out of the picture: nothing to compare.";
+    if (figures->identical)
+        return figures->ofRegion ? "Exactly equal in the rectangle: the difference is zero in every bit."
+                                 : "A and B are exactly equal: the difference is zero in every bit.";
+    std::string text = std::string(figures->ofRegion ? "Rectangle: " : "") + "RMSE " + general(figures->rmse, 3) +
+                       ", largest " + general(figures->maxAbs, 3);
+    if (figures->deltaEP95)
+        text += ";  dE2000 p95 " + general(*figures->deltaEP95, 3) + ", largest " + general(*figures->deltaEMax, 3);
+    if (figures->flipMean)
+        text += ";  FLIP " + general(*figures->flipMean, 3);
+    return text;
 }
 
 } // namespace reflectance::explorer

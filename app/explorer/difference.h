@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace reflectance::explorer {
@@ -47,5 +48,8 @@ struct DifferencePicture {
 
 /// The region's pixels, at least one.
 [[nodiscard]] Image cropped(const Image& image, const Region& region);
+
+/// "RMSE 0.0123, largest 0.2; dE2000 ..." for the figures, or a sentence where there is nothing to measure.
+[[nodiscard]] std::string figuresText(const std::optional<DifferenceFigures>& figures);
 
 } // namespace reflectance::explorer

@@ -36,7 +36,8 @@ void takeOver(Session& session)
 double secondsUntilDifference(const Session& session)
 {
     const bool done = current(session) && session.second.measuredPerceived;
-    if (!session.state.compare.on || session.second.work.busy() || done)
+    const bool drawn = session.second.current(session.state.scene); // else a thread wakes the loop when it is
+    if (!session.state.compare.on || session.second.work.busy() || done || !drawn)
         return std::numeric_limits<double>::infinity();
     return current(session) ? std::max(0.0, restOwed(session)) : 0.0;
 }
@@ -50,14 +51,15 @@ void pollDifference(Session& session)
         second.measured = 0;
         return;
     }
-    if (secondsUntilDifference(session) > 0.0 || !second.renderer)
+    const Scene& scene = session.state.scene;
+    if (secondsUntilDifference(session) > 0.0 || !second.current(scene))
         return;
     const bool perceived = restOwed(session) <= 0.0;
     second.measured = session.viewport.pictures;
     second.measuredPerceived = perceived;
     second.measuredRegion = session.state.compare.region;
-    second.work.start([a = session.renderer.readLinear(), b = second.renderer->readLinear(),
-                       exposure = std::log2(gainOf(session.state.scene.sensor)), perceived,
+    second.work.start([a = second.linearA(scene, session.renderer), b = second.linearB(scene),
+                       exposure = std::log2(gainOf(scene.sensor)), perceived,
                        region = session.state.compare.region](Progress& progress) {
         return differenceOf(a, b, exposure, perceived, progress, region);
     });

@@ -21,6 +21,7 @@
 #include "app/explorer/user_folders.h"
 
 #include <imgui.h>
+#include <iostream>
 
 #include <algorithm>
 #include <cmath>
@@ -202,6 +203,18 @@ void titleWindow(Session& session)
     session.window.setTitle(scene.mesh->name + " - " + modelOf(scene).text.name + " - Reflectance Explorer");
 }
 
+void noteFirstPicture(Session& session)
+{
+    session.start.note("shown");
+    if (!session.state.firstPicture.empty())
+        return;
+    session.state.firstPicture = session.start.sentence();
+    if (!session.quitsAfterFirst)
+        return;
+    std::cout << session.start.report();
+    session.quit = true;
+}
+
 void drawOnce(Session& session)
 {
     const Events events = session.window.takeEvents();
@@ -213,14 +226,17 @@ void drawOnce(Session& session)
     session.toOpen.insert(session.toOpen.end(), events.dropped.begin(), events.dropped.end());
     session.state.drawSoon = false;
     session.window.beginFrame();
+    session.start.note("fonts");
     session.state.takingPicture = session.region.has_value();
     if (session.state.takingPicture) // no reading beside the mouse in the picture of a plot
         ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
     drawInterface(session);
+    session.start.note("the scene's picture, panels");
     session.window.drawFrame();
     saveAskedWindowPicture(session);
     saveAskedRegion(session);
     session.window.showFrame();
+    noteFirstPicture(session);
     pollPrices(session);
     pollTrade(session);
     pollDifference(session);
@@ -306,6 +322,8 @@ void keepPreferences(Session& session)
 
 Result<Outcome> runExplorer(const ExplorerOptions& options)
 {
+    StartClock clock;
+    clock.note("program loaded, options read");
     std::optional<Recording> recording;
     if (!options.replay.empty()) {
         Result<Recording> loaded = loadRecording(options.replay);
@@ -316,16 +334,20 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
     const std::optional<Desktop> desktop = Desktop::connect();
     if (!desktop)
         return Outcome::NoDisplay;
+    clock.note("display");
     const Result<Preferences> preferences = loadPreferences(settingsFolder());
     const Preferences start = preferences ? *preferences : Preferences();
     Result<Window> window = Window::open(start.windowWidth, start.windowHeight, start.interfaceScale);
     if (!window)
         return window.error();
+    clock.note("window and GL context");
     Result<GlRenderer> renderer = GlRenderer::create(Window::loader(), programsFolder());
     if (!renderer)
         return renderer.error();
 
+    clock.note("renderer");
     Session session(*window, *renderer);
+    session.start = clock;
     session.state.preferences = start;
     session.state.renderer = renderer->description();
     session.state.scene = defaultScene();
@@ -334,6 +356,7 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
         session.state.message = Message{preferences.error().sentence(), true};
     openAtStart(session, options);
     session.autosave.settle(session.state.scene);
+    session.start.note("scene");
     if (recording)
         loadTape(session, *recording);
     noteHistory(session);
@@ -341,6 +364,7 @@ Result<Outcome> runExplorer(const ExplorerOptions& options)
         startRecording(session, options.record);
     if (options.tour > 0)
         session.state.requests.push_back({Request::Kind::ShowTour, std::to_string(options.tour)});
+    session.quitsAfterFirst = options.firstPicture;
     runLoop(session);
     session.autosave.end();
     keepPreferences(session);

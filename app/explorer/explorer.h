@@ -14,6 +14,7 @@ struct ExplorerOptions {
     std::string record;    ///< file that takes what happens; empty: nothing is recorded
     std::string replay;    ///< recording to begin with; empty for none
     int tour = 0;          ///< the step of the tour to begin with, from 1; 0 for none
+    bool firstPicture = false; ///< say what the first picture took, and close the window
     std::optional<std::string> environment; ///< latitude-longitude picture (.exr, .hdr) around the object
 };
 

@@ -84,8 +84,8 @@ struct Stroke {
     Camera cameraBefore;
     Light lightBefore;
     Grip taken = Grip::Spot;     ///< Grab (grab_tool.h): what is held
-    double exponentBefore = 0.0; ///< Grab: n, of a model that has one
-    double cosineBefore = 0.0;   ///< Grab: what n is the power of, where the stroke began
+    double widthBefore = 0.0;    ///< Grab: the number that says how wide a highlight is, of a model that has one
+    double heightBefore = 0.0;   ///< Grab: of the highlight where the stroke began, of its peak
 
     [[nodiscard]] bool movesCamera() const { return kind == Kind::Orbit || kind == Kind::Pan || kind == Kind::Zoom; }
     [[nodiscard]] bool movesLight() const { return kind != Kind::None && !movesCamera(); }

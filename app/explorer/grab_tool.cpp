@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/study/grab/grab.h"
+#include "core/study/grab/width.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,16 +28,9 @@ bool isIn(std::size_t light, const Scene& scene)
     return light < scene.lights.size();
 }
 
-const Parameter* exponentOf(const Surface& surface)
+double widthIn(const Surface& surface, const SpotWidth& width)
 {
-    const ModelText& text = modelOf(surface).text;
-    const Parameter* n = text.usesLobe ? text.find("n") : nullptr;
-    return n && n->kind == ParameterKind::Number ? n : nullptr;
-}
-
-double exponentIn(const Surface& surface, const Parameter& n)
-{
-    return valueOf(n, surface.values).front();
+    return valueOf(*width.parameter, surface.values).front();
 }
 
 Result<Light> movedLight(const Stroke& stroke, const ProbedPoint& point, const Scene& seen)
@@ -50,9 +44,9 @@ void takeBack(const Stroke& stroke, const CompareView& compare, Scene& scene)
 {
     const auto light = static_cast<std::size_t>(stroke.light);
     Surface& surface = surfaceInHand(compare, scene);
-    const Parameter* n = exponentOf(surface);
-    if (stroke.taken == Grip::Edge && n && exponentIn(surface, *n) != stroke.exponentBefore)
-        surface.values[n->name] = {stroke.exponentBefore};
+    const auto width = stroke.taken == Grip::Edge ? spotWidthOf(inHand(compare, scene)) : std::nullopt;
+    if (width && widthIn(surface, *width) != stroke.widthBefore)
+        surface.values[width->parameter->name] = {stroke.widthBefore};
     else if (stroke.taken != Grip::Edge && isIn(light, scene))
         scene.lights[light] = stroke.lightBefore;
 }
@@ -84,11 +78,11 @@ Stroke grabStroke(const Grasp& grasp, Cursor cursor, ViewSize size, const Compar
     stroke.cameraBefore = scene.camera;
     stroke.light = static_cast<int>(grasp.light);
     stroke.lightBefore = scene.lights[grasp.light];
-    const Surface& surface = surfaceInHand(compare, scene);
-    if (const Parameter* n = exponentOf(surface))
-        stroke.exponentBefore = exponentIn(surface, *n);
+    const Scene seen = inHand(compare, scene);
+    if (const auto width = spotWidthOf(seen))
+        stroke.widthBefore = widthIn(seen.surface, *width);
     if (const auto point = pointUnder(cursor, size, scene))
-        stroke.cosineBefore = lobeCosine(inHand(compare, scene), stroke.lightBefore, *point).value_or(0.0);
+        stroke.heightBefore = spotHeight(seen, stroke.lightBefore, *point).value_or(0.0);
     return stroke;
 }
 
@@ -103,11 +97,14 @@ Result<void> follow(const Stroke& stroke, ViewSize size, Cursor cursor, const Co
     if (!point || !isIn(light, scene))
         return Error{"the object is not under the cursor; go back onto it"};
     if (stroke.taken == Grip::Edge) {
-        Surface& surface = surfaceInHand(compare, scene);
-        const Parameter* n = exponentOf(surface);
-        const auto there = lobeCosine(inHand(compare, scene), stroke.lightBefore, *point);
-        if (n && there)
-            surface.values[n->name] = {exponentWithEdgeAt(*n, stroke.exponentBefore, stroke.cosineBefore, *there)};
+        // From where the stroke began: what lies outside the slider's range stays within reach.
+        Scene began = inHand(compare, scene);
+        const auto width = spotWidthOf(began);
+        if (!width || !(stroke.heightBefore > 0.0) || !(stroke.heightBefore < 1.0))
+            return {};
+        began.surface.values[width->parameter->name] = {stroke.widthBefore};
+        surfaceInHand(compare, scene).values[width->parameter->name] = {
+            widthWithHeightAt(began, *width, stroke.lightBefore, *point, stroke.heightBefore)};
         return {};
     }
     auto moved = movedLight(stroke, *point, inHand(compare, scene));
@@ -149,24 +146,25 @@ Result<void> nudgeSpot(GrabTool& tool, const CompareView& compare, Scene& scene,
     return {};
 }
 
-void scaleExponent(const CompareView& compare, Scene& scene, double factor)
+void narrowSpot(const CompareView& compare, Scene& scene, double factor)
 {
-    Surface& surface = surfaceInHand(compare, scene);
-    const Parameter* n = exponentOf(surface);
-    if (!n)
+    const auto width = spotWidthOf(inHand(compare, scene));
+    if (!width)
         return;
-    const double before = exponentIn(surface, *n);
-    surface.values[n->name] = {
-        std::clamp(before * factor, std::min(n->sliderMin, before), std::max(n->sliderMax, before))};
+    Surface& surface = surfaceInHand(compare, scene);
+    const Parameter& number = *width->parameter;
+    const double before = widthIn(surface, *width);
+    surface.values[number.name] = {std::clamp(width->widens ? before / factor : before * factor,
+                                              std::min(number.sliderMin, before), std::max(number.sliderMax, before))};
 }
 
 std::string nameOf(const Grasp& grasp, const CompareView& compare, const Scene& scene)
 {
     const std::string light = isIn(grasp.light, scene) ? scene.lights[grasp.light].name : "no light";
-    const Surface& surface = surfaceInHand(compare, scene);
-    const Parameter* n = exponentOf(surface);
-    if (grasp.grip == Grip::Edge && n)
-        return "Edge of the highlight of " + light + ", n = " + general(exponentIn(surface, *n), 4);
+    const Scene seen = inHand(compare, scene);
+    if (const auto width = grasp.grip == Grip::Edge ? spotWidthOf(seen) : std::nullopt)
+        return "Edge of the highlight of " + light + ", " + width->parameter->name + " = " +
+               general(widthIn(seen.surface, *width), 4);
     return (grasp.grip == Grip::Terminator ? "Terminator of " : "Highlight of ") + light;
 }
 

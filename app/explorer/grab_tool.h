@@ -1,4 +1,5 @@
-// The tool Grab: the hand takes a highlight, its edge or a terminator in the picture, and light or exponent follow.
+// The tool Grab: the hand takes a highlight, its edge or a terminator in the picture, and the light or the number that
+// says how wide a highlight is follows: n, alpha, m.
 #pragma once
 
 #include "app/explorer/comparison.h"
@@ -40,8 +41,9 @@ struct GrabTool {
 [[nodiscard]] Result<void> nudgeSpot(GrabTool& tool, const CompareView& compare, Scene& scene, int selected, double dx,
                                      double dy);
 
-/// Multiplies the exponent n of the surface in hand, within its slider's range; nothing for a model without one.
-void scaleExponent(const CompareView& compare, Scene& scene, double factor);
+/// Makes the highlight of the surface in hand narrower by a factor of its width's number (n times it, alpha divided by it), within
+/// the slider's range; nothing for a model without such a number.
+void narrowSpot(const CompareView& compare, Scene& scene, double factor);
 
 /// "Highlight of key", for people.
 [[nodiscard]] std::string nameOf(const Grasp& grasp, const CompareView& compare, const Scene& scene);

@@ -72,7 +72,7 @@ void pressArrow(const KeyPress& key, ExplorerState& state)
     const double dy = key.key == "Up" ? -1.0 : key.key == "Down" ? 1.0 : 0.0;
     if (key.shift) {
         if (dy != 0.0)
-            scaleExponent(state.compare, state.scene, dy < 0.0 ? exponentStep : 1.0 / exponentStep);
+            narrowSpot(state.compare, state.scene, dy < 0.0 ? exponentStep : 1.0 / exponentStep);
         return;
     }
     const double step = key.control ? fineStep : wideStep;

@@ -69,6 +69,26 @@ PictureRecipe recipeOf(const ExplorerState& state, const Viewport& viewport)
     return recipe;
 }
 
+bool isPair(VariantView shown)
+{
+    return shown != VariantView::A && shown != VariantView::B;
+}
+
+/// Beside a picture of GL's the CPU shades what GL saw, as in the window and in `render`.
+Result<Image> byRungs(const Scene& viewed, const Scene& variant, const RenderSettings& settings, bool pair,
+                      GlRenderer& renderer)
+{
+    const bool isA = variant.surface == viewed.surface;
+    const bool besideGl = pair && viewed.other && drawnByGl((isA ? *viewed.other : viewed.surface).rungs, true);
+    std::shared_ptr<const ViewSamples> seen;
+    if (besideGl && !drawnByGl(variant.surface.rungs, true)) {
+        if (const Result<void> looked = renderer.render(variant, settings); !looked)
+            return looked.error();
+        seen = std::make_shared<const ViewSamples>(renderer.readSamples());
+    }
+    return pictureByRungs(variant, settings, renderer, seen);
+}
+
 /// Rows `top` .. of a picture that is `width` wide.
 std::vector<std::uint8_t> cutOut(const std::vector<std::uint8_t>& rgb, int width, int left, int top, int wide, int high)
 {
@@ -123,8 +143,10 @@ Result<std::string> saveViewPicture(const ExplorerState& state, const Viewport& 
     const PictureRecipe recipe = recipeOf(state, viewport);
     const auto render = [&](const Scene& variant, int width, int height) -> Result<Image> {
         const RenderSettings settings{width, height, recipe.samplesPerAxis};
+        if (!variant.surface.rungs.empty())
+            return byRungs(viewed, variant, settings, isPair(recipe.shown), renderer);
         const bool isB = recipe.shown != VariantView::A && !variant.other; // each has its own buffers
-        if (const Result<void> drawn = isB ? second.render(variant, settings) : renderer.render(variant, settings);
+        if (const Result<void> drawn = isB ? second.renderB(variant, settings) : renderer.render(variant, settings);
             !drawn)
             return drawn.error();
         return isB ? second.renderer->readLinear() : renderer.readLinear();

@@ -28,8 +28,13 @@ struct Stand {
 
 Stand standOf(const ExplorerState& state)
 {
-    if (const ProbePlace* place = state.probe.place())
-        return {place->point.P, place->point.N};
+    if (state.probe.looks(state.scene)) {
+        const auto& picked = state.probe.picked;
+        const auto point = picked ? pointIn(state.scene.pins[*picked], state.scene, {1, 1})
+                                  : std::optional(state.probe.loose->point);
+        if (point)
+            return {point->P, point->N};
+    }
     return {{}, frameOf(state.scene.camera).back};
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace reflectance::explorer {
 namespace {
@@ -103,7 +104,7 @@ void drawLobe(const Pen& pen, const LobeShape& lobe)
     pen.polyline(lobe.inPlane, orange, 2.2F);
 }
 
-/// A pin's number in a disc; pale where the object hides it.
+/// A pin's name in a disc; pale where the object hides it.
 void drawMarker(const Pen& pen, const FoundProbe& found, const std::string& name, bool looked)
 {
     const ProbedPoint& point = found.a.point;
@@ -118,11 +119,17 @@ void drawMarker(const Pen& pen, const FoundProbe& found, const std::string& name
         pen.canvas.AddCircleFilled(centre, pen.points(2.5F), faded(white), 16);
         return;
     }
-    const float radius = pen.points(9);
-    pen.canvas.AddCircleFilled(centre, radius + pen.points(2), rim, 24);
-    pen.canvas.AddCircleFilled(centre, radius, faded(looked ? palette::chosen : palette::raised), 24);
-    pen.canvas.AddCircle(centre, radius, faded(looked ? palette::accent : white), 24, pen.points(1.5F));
     const ImVec2 size = sizeIn(Face::Strong, name);
+    const float radius = pen.points(9), half = std::max(radius, size.x / 2 + pen.points(5));
+    const auto disc = [&](float more) { // or, for a long name, a pill
+        return std::pair(ImVec2(centre.x - half - more, centre.y - radius - more),
+                         ImVec2(centre.x + half + more, centre.y + radius + more));
+    };
+    const auto [low, high] = disc(0.0F);
+    const auto [lowRim, highRim] = disc(pen.points(2));
+    pen.canvas.AddRectFilled(lowRim, highRim, rim, radius + pen.points(2));
+    pen.canvas.AddRectFilled(low, high, faded(looked ? palette::chosen : palette::raised), radius);
+    pen.canvas.AddRect(low, high, faded(looked ? palette::accent : white), radius, 0, pen.points(1.5F));
     drawText(pen.canvas, Face::Strong, {centre.x - size.x / 2, centre.y - size.y / 2}, faded(white), name);
 }
 
@@ -140,9 +147,9 @@ void drawProbeMarks(ImDrawList& canvas, const ExplorerState& state, const Pictur
         if (study.arrows)
             drawArrows(pen, probe, study.light);
     }
-    for (std::size_t i = 0; i < study.foundPins.size(); ++i)
+    for (std::size_t i = 0; i < std::min(study.foundPins.size(), state.scene.pins.size()); ++i)
         if (study.foundPins[i])
-            drawMarker(pen, *study.foundPins[i], std::to_string(i + 1), study.picked == i);
+            drawMarker(pen, *study.foundPins[i], state.scene.pins[i].name, study.picked == i);
     if (study.loose && study.foundLoose)
         drawMarker(pen, *study.foundLoose, "", true);
 }

@@ -1,6 +1,8 @@
 #include "app/explorer/probe_study.h"
 
 #include "core/math/angle.h"
+#include "core/render/cpu/surface_point.h"
+#include "core/scene/names.h"
 #include "core/study/lens/thinned.h"
 
 #include <algorithm>
@@ -29,6 +31,26 @@ bool isAmong(const ViewSamples& samples, const ProbedPoint& point, const Camera&
     return false;
 }
 
+/// Where the picture shows a point; at -1 where it lies behind the eye.
+ProbedPoint seenBy(const Camera& camera, ViewSize size, ProbedPoint point)
+{
+    const Vec3d image = projected(camera, point.P, size.width, size.height);
+    const bool ahead = image.z > 0.0;
+    point.x = ahead ? image.x : -1.0;
+    point.y = ahead ? image.y : -1.0;
+    point.width = size.width;
+    point.height = size.height;
+    return point;
+}
+
+std::string firstFreeNumber(const std::vector<Pin>& pins)
+{
+    int number = 1;
+    while (nameIsTaken(pins, std::to_string(number)))
+        ++number;
+    return std::to_string(number);
+}
+
 } // namespace
 
 std::optional<ProbePlace> placeAt(const Scene& scene, Cursor cursor, ViewSize size)
@@ -41,16 +63,21 @@ std::optional<ProbePlace> placeAt(const Scene& scene, Cursor cursor, ViewSize si
 
 ProbedPoint pointIn(const ProbePlace& place, const Camera& camera, ViewSize size)
 {
-    ProbedPoint point = place.point;
+    const ProbedPoint& point = place.point;
     if (camera == place.camera && size == ViewSize{point.width, point.height})
         return point;
-    const Vec3d image = projected(camera, point.P, size.width, size.height);
-    const bool ahead = image.z > 0.0;
-    point.x = ahead ? image.x : -1.0;
-    point.y = ahead ? image.y : -1.0;
-    point.width = size.width;
-    point.height = size.height;
-    return point;
+    return seenBy(camera, size, point);
+}
+
+std::optional<ProbedPoint> pointIn(const Pin& pin, const Scene& scene, ViewSize size)
+{
+    if (pin.meshFile != scene.meshFile || !scene.mesh || pin.triangle >= scene.mesh->triangles.size())
+        return std::nullopt;
+    ProbedPoint point;
+    point.P = pin.P;
+    point.N = surfacePoint(*scene.mesh, pin.triangle, scene.camera.eye, normalized(pin.P - scene.camera.eye)).N;
+    point.triangle = pin.triangle;
+    return seenBy(scene.camera, size, point);
 }
 
 std::optional<ProbedPixel> pixelOf(const ViewSamples& samples, const Image& drawn, const Scene& scene,
@@ -70,11 +97,9 @@ std::optional<ProbedPixel> pixelOf(const ViewSamples& samples, const Image& draw
     return pixel;
 }
 
-const ProbePlace* ProbeStudy::place() const
+bool ProbeStudy::looks(const Scene& scene) const
 {
-    if (picked)
-        return *picked < pins.size() ? &pins[*picked] : nullptr;
-    return loose ? &*loose : nullptr;
+    return picked ? *picked < scene.pins.size() : loose.has_value();
 }
 
 const FoundProbe* ProbeStudy::found() const
@@ -91,18 +116,20 @@ void ProbeStudy::probe(std::optional<ProbePlace> place)
     ++changes;
 }
 
-void ProbeStudy::pin()
+void ProbeStudy::pin(Scene& scene)
 {
-    if (!loose || pins.size() >= mostPins)
+    if (!loose || scene.pins.size() >= mostPins)
         return;
-    pins.push_back(*std::move(loose));
+    scene.pins.push_back(
+        {firstFreeNumber(scene.pins), scene.meshFile, loose->point.P, loose->point.triangle});
     loose.reset();
-    picked = pins.size() - 1;
+    picked = scene.pins.size() - 1;
     ++changes;
 }
 
-void ProbeStudy::remove()
+void ProbeStudy::remove(Scene& scene)
 {
+    auto& pins = scene.pins;
     if (!picked)
         loose.reset();
     else if (*picked < pins.size())
@@ -118,16 +145,15 @@ void ProbeStudy::pick(std::size_t pin)
     ++changes;
 }
 
-std::optional<std::size_t> pinAt(const ProbeStudy& study, const Scene& scene, ViewSize size, Cursor cursor,
-                                 double reach)
+std::optional<std::size_t> pinAt(const Scene& scene, ViewSize size, Cursor cursor, double reach)
 {
     std::optional<std::size_t> nearest;
     double least = reach;
-    for (std::size_t i = 0; i < study.pins.size(); ++i) {
-        if (study.pins[i].mesh.lock() != scene.mesh)
+    for (std::size_t i = 0; i < scene.pins.size(); ++i) {
+        const auto point = pointIn(scene.pins[i], scene, size);
+        if (!point)
             continue;
-        const ProbedPoint point = pointIn(study.pins[i], scene.camera, size);
-        if (const double distance = std::hypot(point.x - cursor.x, point.y - cursor.y); distance <= least) {
+        if (const double distance = std::hypot(point->x - cursor.x, point->y - cursor.y); distance <= least) {
             least = distance;
             nearest = i;
         }
@@ -135,7 +161,7 @@ std::optional<std::size_t> pinAt(const ProbeStudy& study, const Scene& scene, Vi
     return nearest;
 }
 
-std::vector<Probe> listed(const ProbeStudy& study)
+std::vector<Probe> listed(const ProbeStudy& study, const Scene& scene)
 {
     std::vector<Probe> all;
     const auto add = [&all](const FoundProbe& found, const std::string& name) {
@@ -146,9 +172,9 @@ std::vector<Probe> listed(const ProbeStudy& study)
         all.push_back(*found.b);
         all.back().name = name + " B";
     };
-    for (std::size_t i = 0; i < study.foundPins.size(); ++i)
+    for (std::size_t i = 0; i < std::min(study.foundPins.size(), scene.pins.size()); ++i)
         if (study.foundPins[i])
-            add(*study.foundPins[i], std::to_string(i + 1));
+            add(*study.foundPins[i], scene.pins[i].name);
     if (study.loose && study.foundLoose)
         add(*study.foundLoose, "here");
     return all;

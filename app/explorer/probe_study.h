@@ -13,7 +13,7 @@
 
 namespace reflectance::explorer {
 
-/// A point of the object. It stays there when the camera moves.
+/// A point of the object, as it was met. It stays there when the camera moves.
 struct ProbePlace {
     std::weak_ptr<const Mesh> mesh;
     ProbedPoint point; ///< as it was met
@@ -25,6 +25,9 @@ struct ProbePlace {
 
 /// The same point in a picture from elsewhere or of another size.
 [[nodiscard]] ProbedPoint pointIn(const ProbePlace& place, const Camera& camera, ViewSize size);
+
+/// A pin's point in the scene's picture; nothing where another object is shown.
+[[nodiscard]] std::optional<ProbedPoint> pointIn(const Pin& pin, const Scene& scene, ViewSize size);
 
 /// The pixel in which a point lies, of the picture at rest.
 struct ProbedPixel {
@@ -45,11 +48,8 @@ struct FoundProbe {
 enum class ProbeDetail { Point, Terms };
 
 struct ProbeStudy {
-    static constexpr std::size_t mostPins = 20;
-
-    std::vector<ProbePlace> pins;
     std::optional<ProbePlace> loose;   ///< probed last and not pinned
-    std::optional<std::size_t> picked; ///< of the pins; none: the loose one
+    std::optional<std::size_t> picked; ///< of the scene's pins; none: the loose one
     std::size_t light = 0;             ///< of those that shine: whose formula is filled in
     bool onB = false;                  ///< the formula shown is B's
     bool arrows = true, lobe = true;   ///< drawn over the picture
@@ -58,27 +58,27 @@ struct ProbeStudy {
     bool asked = false; ///< a key wants the point under the mouse, or in the middle
 
     // What the frame loop finds. Places of another mesh have none.
-    std::uint64_t changes = 0; ///< of pins and loose
+    std::uint64_t changes = 0; ///< of what is looked at
     std::vector<std::optional<FoundProbe>> foundPins;
     std::optional<FoundProbe> foundLoose;
     std::optional<LobeShape> lobeA, lobeB; ///< of the one that is looked at
 
-    /// The place that is looked at; null where there is none.
-    [[nodiscard]] const ProbePlace* place() const;
+    /// Whether a pin or the loose one is looked at, be its object shown or not.
+    [[nodiscard]] bool looks(const Scene& scene) const;
     [[nodiscard]] const FoundProbe* found() const;
 
     void probe(std::optional<ProbePlace> place); ///< becomes the loose one and is looked at; none puts it away
-    void pin();                                  ///< the loose one, where there is one and room for it
-    void remove();                               ///< what is looked at
+    void pin(Scene& scene);                      ///< the loose one, where there is one and room for it
+    void remove(Scene& scene);                   ///< what is looked at
     void pick(std::size_t pin);
 };
 
 /// The pin whose marker lies within `reach` pixels of the cursor.
-[[nodiscard]] std::optional<std::size_t> pinAt(const ProbeStudy& study, const Scene& scene, ViewSize size,
-                                               Cursor cursor, double reach);
+[[nodiscard]] std::optional<std::size_t> pinAt(const Scene& scene, ViewSize size, Cursor cursor, double reach);
 
-/// Every place that has been found, pins first, A before B; named "1 A", "1 B", or "1" where nothing is compared.
-[[nodiscard]] std::vector<Probe> listed(const ProbeStudy& study);
+/// Every place that has been found, pins first, A before B; named "rim A", "rim B", or "rim" where nothing is
+/// compared.
+[[nodiscard]] std::vector<Probe> listed(const ProbeStudy& study, const Scene& scene);
 
 /// What is copied of a place: A's text and B's.
 [[nodiscard]] std::string textOf(const FoundProbe& found);

@@ -11,9 +11,9 @@
 namespace reflectance::explorer {
 namespace {
 
-bool hasPlaces(const ProbeStudy& study)
+bool hasPlaces(const ExplorerState& state)
 {
-    return study.loose || !study.pins.empty();
+    return state.probe.loose || !state.scene.pins.empty();
 }
 
 /// True where what was found is of another scene, picture or wish.
@@ -43,7 +43,9 @@ void readAllPixels(Session& session)
     ProbeStudy& study = session.state.probe;
     if (probes.rested != session.trust.rested) {
         probes.rested = session.trust.rested;
-        probes.b = probes.rested && session.state.compare.on && session.second.renderer
+        const std::optional<Surface>& other = session.state.scene.other;
+        const bool byGl = session.second.renderer && other && other->rungs.empty();
+        probes.b = probes.rested && session.state.compare.on && byGl
                        ? session.second.renderer->readLinear()
                        : Image();
     }
@@ -76,8 +78,8 @@ void pollProbes(Session& session)
 {
     ExplorerState& state = session.state;
     Probes& probes = session.probes;
-    if (!hasPlaces(state.probe)) {
-        if (probes.changes != state.probe.changes) {
+    if (!hasPlaces(state)) {
+        if (probes.changes != state.probe.changes || !state.probe.foundPins.empty()) {
             examine(state, state.scene, session.viewport.view.size);
             probes.changes = state.probe.changes;
         }

@@ -2,7 +2,6 @@
 
 #include <GL/glcorearb.h>
 #include <array>
-
 #include <utility>
 
 namespace reflectance::explorer {
@@ -16,7 +15,7 @@ template <class Function> Function function(GetProcAddress load, const char* nam
 } // namespace
 
 ScreenTexture::ScreenTexture(ScreenTexture&& other) noexcept
-    : load_(other.load_), id_(std::exchange(other.id_, 0)), width_(other.width_), height_(other.height_)
+    : load_(other.load_), enlarged_(other.enlarged_), id_(std::exchange(other.id_, 0)), width_(other.width_), height_(other.height_)
 {
 }
 
@@ -36,7 +35,7 @@ void ScreenTexture::show(int width, int height, std::span<const std::uint8_t> rg
     if (width != width_ || height != height_) {
         const auto parameter = function<PFNGLTEXPARAMETERIPROC>(load_, "glTexParameteri");
         for (const auto filter : std::array<GLenum, 2>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            parameter(GL_TEXTURE_2D, filter, GL_LINEAR);
+            parameter(GL_TEXTURE_2D, filter, enlarged_ == Enlarged::Squares ? GL_NEAREST : GL_LINEAR);
         for (const auto wrap : std::array<GLenum, 2>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
             parameter(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
         function<PFNGLTEXIMAGE2DPROC>(load_, "glTexImage2D")(GL_TEXTURE_2D, 0, GL_RGB8, width, height, 0, GL_RGB,

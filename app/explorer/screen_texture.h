@@ -1,4 +1,4 @@
-// A picture of 8-bit codes that the window shows: thumbnails, maps. The window's context must be current.
+// A picture of 8-bit codes that the window shows: thumbnails, maps, what lies over the view. The window's context must be current.
 #pragma once
 
 #include "core/render/headless/headless_context.h"
@@ -8,9 +8,15 @@
 
 namespace reflectance::explorer {
 
+/// Where a picture has fewer pixels than the screen: blended, or sharp squares.
+enum class Enlarged { Blended, Squares };
+
 class ScreenTexture {
 public:
-    explicit ScreenTexture(GetProcAddress load) : load_(load) {}
+    explicit ScreenTexture(GetProcAddress load, Enlarged enlarged = Enlarged::Blended)
+        : load_(load), enlarged_(enlarged)
+    {
+    }
     ScreenTexture(ScreenTexture&& other) noexcept;
     ScreenTexture& operator=(ScreenTexture&&) = delete;
     ~ScreenTexture();
@@ -22,6 +28,7 @@ public:
 
 private:
     GetProcAddress load_;
+    Enlarged enlarged_;
     unsigned id_ = 0;
     int width_ = 0, height_ = 0;
 };

@@ -10,6 +10,7 @@
 #include "app/explorer/screen_texture.h"
 #include "app/explorer/second_view.h"
 #include "app/explorer/stand_in.h"
+#include "app/explorer/start_clock.h"
 #include "app/explorer/state.h"
 #include "app/explorer/tape.h"
 #include "app/explorer/trades.h"
@@ -35,10 +36,11 @@ struct Session {
     Viewport viewport;
     Tape tape;
     SecondView second{Window::loader(), Window::wake};
+    StartClock start;
     StandIn standIn{Window::wake};
     FileLoader loader{Window::wake};
     Worker<Prices> prices{Window::wake};
-    Trust trust{Window::wake};
+    Trust trust{Window::loader(), Window::wake};
     Worker<FitOutcome> fit{Window::wake};
     Worker<Photograph> photograph{Window::wake};
     ScreenTexture photographTexture{Window::loader()};
@@ -65,8 +67,9 @@ struct Session {
     std::string sceneFile;                    ///< the scene file in use; empty where there is none
     std::optional<std::string> windowPicture; ///< where to save the frame being drawn; empty chooses a name
     std::optional<GlRenderer> bench; ///< draws for studies, so that the picture's own buffers stay; made when needed
-    Trades trades{Window::wake};     ///< after `bench`, which it draws with
+    Trades trades{Window::loader(), Window::wake};     ///< after `bench`, which it draws with
     bool quit = false;
+    bool quitsAfterFirst = false; ///< picture, and says what that took
 
     std::uint64_t pricedPicture = 0;  ///< Viewport::pictures when the prices were last asked for
     bool pricesWait = false;          ///< asked for, but something else is being measured

@@ -1,6 +1,5 @@
 #include "app/explorer/shown_picture.h"
 
-#include "app/explorer/difference.h"
 #include "core/image/beside.h"
 #include "core/image/picture_file.h"
 #include "core/sensor/picture.h"
@@ -24,6 +23,7 @@ Result<ShownPicture> mapOf(const Image& a, const Image& b, const Sensor& sensor)
     picture.codes.width = map->width;
     picture.codes.height = map->height;
     picture.codes.rgb = std::move(map->rgb);
+    picture.difference = map->figures;
     return picture;
 }
 

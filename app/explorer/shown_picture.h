@@ -2,6 +2,7 @@
 // same recipe are put together here.
 #pragma once
 
+#include "app/explorer/difference.h"
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/scene/kept_picture.h"
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,7 @@ namespace reflectance::explorer {
 struct ShownPicture {
     Image linear; ///< empty for a map of the difference, which has none
     Developed codes;
+    std::optional<DifferenceFigures> difference = {}; ///< of a map of the difference
 };
 
 /// Renders one variant in the given width and height.

@@ -25,6 +25,7 @@
 #include "core/study/lens/gl_check.h"
 #include "core/study/lens/term.h"
 #include "core/study/price_tag.h"
+#include "core/study/trade/rung.h"
 
 #include <deque>
 #include <optional>
@@ -119,6 +120,7 @@ struct ColourPage {
 struct ExplorerState {
     Scene scene;
     CompareView compare;
+    std::vector<SkippedRung> idleRungsA, idleRungsB; ///< that change nothing here, and why
     GrabTool grab;
     History history;
     SurfaceShelf shelf;
@@ -138,6 +140,7 @@ struct ExplorerState {
     // What the status line reports.
     double frameMilliseconds = 0.0;
     StandInFacts standIn;
+    std::string firstPicture; ///< "First picture after 0.61 s."
     std::string renderer;            ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::vector<PriceTag> priceTags; ///< of the current scene; empty while being measured
     bool measuringPrices = false;

@@ -175,12 +175,11 @@ void layPicture(Session& session, const Image& picture)
     Trades& trades = session.trades;
     if (trades.pictureOf.kind == TradeOverlay::Picture) {
         const Developed developed = develop(picture, trades.scene.sensor);
-        trades.overlay.show(developed.width, developed.height, developed.rgb, Window::loader());
+        trades.overlay.show(developed.width, developed.height, developed.rgb);
     } else {
         const Image& truth = trades.run->judge()->truth();
         const double largest = session.state.trade.trade->candidates[*trades.pictureOf.candidate].error.max;
-        trades.overlay.show(picture.width, picture.height, differenceMap(truth, picture, std::max(largest, 1e-9)),
-                            Window::loader());
+        trades.overlay.show(picture.width, picture.height, differenceMap(truth, picture, std::max(largest, 1e-9)));
     }
     trades.laid = trades.pictureOf;
 }
@@ -217,7 +216,7 @@ void keepOverlay(Session& session)
     if (study.overlay == TradeOverlay::Map) {
         const TradeLaid wanted{TradeOverlay::Map, {}, trades.mappedTolerance};
         if (study.map && !study.mapping && trades.laid != wanted) {
-            trades.overlay.show(study.map->width, study.map->height, painted(*study.map), Window::loader());
+            trades.overlay.show(study.map->width, study.map->height, painted(*study.map));
             trades.laid = wanted;
         }
     } else if (const auto shown = study.shown()) {
@@ -226,7 +225,7 @@ void keepOverlay(Session& session)
             askForPicture(session, wanted);
     }
     if (trades.laid.kind == study.overlay)
-        session.viewport.overlay = trades.overlay.name();
+        session.viewport.overlay = trades.overlay.id();
 }
 
 } // namespace

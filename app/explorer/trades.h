@@ -1,7 +1,7 @@
 // Runs the trade that the workbench asks for, and lays its pictures over the view.
 #pragma once
 
-#include "app/explorer/overlay_texture.h"
+#include "app/explorer/screen_texture.h"
 #include "app/explorer/trade_study.h"
 #include "app/explorer/worker.h"
 #include "core/study/trade/trade_run.h"
@@ -30,8 +30,8 @@ struct TradeLaid {
 };
 
 struct Trades {
-    explicit Trades(const std::function<void()>& wake)
-        : steps(wake), picture(wake), map(wake), terms(wake), recheck(wake)
+    Trades(GetProcAddress load, const std::function<void()>& wake)
+        : steps(wake), picture(wake), map(wake), terms(wake), recheck(wake), overlay(load, Enlarged::Squares)
     {
     }
 
@@ -47,7 +47,7 @@ struct Trades {
     TradeLaid pictureOf, laid;          ///< what `picture` makes, and what is in `overlay`
     double mappedTolerance = -1.0;
     Metric mappedMetric = Metric::Max;
-    OverlayTexture overlay;
+    ScreenTexture overlay;
 };
 
 /// With every frame, after the lens has had its say.

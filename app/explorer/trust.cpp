@@ -50,8 +50,8 @@ void takeLens(Session& session)
         return;
     trust.laid = std::move(found);
     trust.read.reset();
-    trust.overlay.show(trust.laid->map.width, trust.laid->map.height, painted(trust.laid->map), Window::loader());
-    session.viewport.overlay = trust.overlay.name();
+    trust.overlay.show(trust.laid->map.width, trust.laid->map.height, painted(trust.laid->map));
+    session.viewport.overlay = trust.overlay.id();
     session.state.lensFigures = figuresOf(trust.laid->map);
 }
 

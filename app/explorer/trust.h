@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/explorer/measured_prices.h"
-#include "app/explorer/overlay_texture.h"
+#include "app/explorer/screen_texture.h"
 #include "app/explorer/worker.h"
 #include "core/study/lens/gl_check.h"
 #include "core/study/lens/term.h"
@@ -35,7 +35,10 @@ struct PixelRead {
 };
 
 struct Trust {
-    explicit Trust(const std::function<void()>& wake) : check(wake), lens(wake) {}
+    Trust(GetProcAddress load, const std::function<void()>& wake)
+        : check(wake), lens(wake), overlay(load, Enlarged::Squares)
+    {
+    }
 
     std::shared_ptr<const Rested> rested; ///< none while the picture moves
     Worker<GlCheck> check;
@@ -43,7 +46,7 @@ struct Trust {
     LensKind asked = LensKind::Float; ///< what `lens` works on
     std::optional<LensLaid> laid;
     std::optional<PixelRead> read; ///< of `laid`
-    OverlayTexture overlay;        ///< `laid`, painted
+    ScreenTexture overlay;         ///< `laid`, painted
 };
 
 /// The picture changed: nothing is known about it any more.

@@ -59,7 +59,7 @@ std::string wordsFor(const std::string& term)
 
 void probeUnder(ExplorerState& state, Cursor cursor, ViewSize size)
 {
-    if (const auto pin = pinAt(state.probe, state.scene, size, cursor, pinReach))
+    if (const auto pin = pinAt(state.scene, size, cursor, pinReach))
         return state.probe.pick(*pin);
     // The pixel's middle, where its one sample lies while the picture is coarse.
     state.probe.probe(placeAt(state.scene, {std::floor(cursor.x) + 0.5, std::floor(cursor.y) + 0.5}, size));
@@ -68,15 +68,16 @@ void probeUnder(ExplorerState& state, Cursor cursor, ViewSize size)
 void examine(ExplorerState& state, const Scene& viewed, ViewSize picture)
 {
     ProbeStudy& study = state.probe;
-    const auto foundOf = [&](const ProbePlace& place) -> std::optional<FoundProbe> {
-        if (place.mesh.lock() != viewed.mesh)
-            return std::nullopt;
-        return foundAt(state, viewed, pointIn(place, viewed.camera, picture));
+    const auto foundOf = [&](const std::optional<ProbedPoint>& point) {
+        return point ? std::optional(foundAt(state, viewed, *point)) : std::nullopt;
     };
+    if (study.picked && *study.picked >= viewed.pins.size()) // undo has taken it away
+        study.picked.reset();
     study.foundPins.clear();
-    for (const ProbePlace& pin : study.pins)
-        study.foundPins.push_back(foundOf(pin));
-    study.foundLoose = study.loose ? foundOf(*study.loose) : std::nullopt;
+    for (const Pin& pin : viewed.pins)
+        study.foundPins.push_back(foundOf(pointIn(pin, viewed, picture)));
+    const bool there = study.loose && study.loose->mesh.lock() == viewed.mesh;
+    study.foundLoose = there ? foundOf(pointIn(*study.loose, viewed.camera, picture)) : std::nullopt;
     study.lobeA.reset();
     study.lobeB.reset();
     const FoundProbe* found = study.found();

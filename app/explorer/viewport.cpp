@@ -211,8 +211,10 @@ void render(ExplorerState& state, Viewport& viewport, GlRenderer& renderer, Seco
     const std::uint64_t before = picturesOf(renderer, second);
     const Clock::time_point start = Clock::now();
     Result<void> rendered = renderer.render(shown, viewport.settings);
-    if (rendered && state.compare.on)
-        rendered = second.render(variantB(shown), viewport.settings);
+    if (rendered)
+        rendered = second.render(shown, state.compare.on, viewport.settings, renderer);
+    state.idleRungsA = second.rungsA.withoutEffect();
+    state.idleRungsB = second.rungsB.withoutEffect();
     if (!rendered) {
         state.message = Message{rendered.error().sentence(), true};
         return;
@@ -269,16 +271,20 @@ void drawOverlay(ImDrawList& canvas, const CompareView& compare, unsigned overla
     drawTexture(canvas, overlay, panes.a, part, true);
 }
 
-void drawPictures(ImDrawList& canvas, const CompareView& compare, const GlRenderer& renderer, const SecondView& second,
+void drawPictures(ImDrawList& canvas, const ExplorerState& state, const GlRenderer& renderer, const SecondView& second,
                   const Area& area, const Panes& panes)
 {
-    const unsigned a = renderer.developedTexture();
-    const unsigned b = compare.on && second.renderer ? second.renderer->developedTexture() : a;
+    const CompareView& compare = state.compare;
+    const auto draw = [&](ShownTexture picture, const Area& whole, const Area& part) {
+        drawTexture(canvas, picture.id, whole, part, picture.rowsFromTop);
+    };
+    const ShownTexture a = second.shownA(state.scene, renderer);
+    const ShownTexture b = compare.on ? second.shownB(state.scene, renderer) : a;
     if (compare.on && compare.mode == CompareMode::Difference && second.map.id() != 0)
         return drawTexture(canvas, second.map.id(), area, area, true);
     if (compare.on && compare.mode == CompareMode::Flip)
-        return drawTexture(canvas, compare.handOnB ? b : a, area, area, false);
-    drawTexture(canvas, a, panes.a, panes.a, false);
+        return draw(compare.handOnB ? b : a, area, area);
+    draw(a, panes.a, panes.a);
     if (!compare.on)
         return;
     Area part = panes.b;
@@ -286,7 +292,7 @@ void drawPictures(ImDrawList& canvas, const CompareView& compare, const GlRender
         part.x = area.x + compare.divider * area.width;
         part.width = area.right() - part.x;
     }
-    drawTexture(canvas, b, panes.b, part, false);
+    draw(b, panes.b, part);
 }
 
 /// The handles in every pane, for the hand may take one in either.
@@ -315,7 +321,7 @@ void showGrip(const ExplorerState& state, const Viewport& viewport)
         const bool far = std::isinf(tool.hovered->pixels);
         const std::string name = nameOf(*tool.hovered, state.compare, state.scene);
         const char* effect = far                                ? "drag, and it comes here"
-                             : tool.hovered->grip == Grip::Edge ? "drag it to change n"
+                             : tool.hovered->grip == Grip::Edge ? "drag it to change how wide it is"
                                                                 : "drag it, and the light follows";
         ImGui::SetTooltip("%s: %s", name.c_str(), effect);
     }
@@ -365,7 +371,7 @@ void drawViewport(ExplorerState& state, Viewport& viewport, GlRenderer& renderer
     render(state, viewport, renderer, second, standIn);
 
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
-    drawPictures(canvas, state.compare, renderer, second, area, panes);
+    drawPictures(canvas, state, renderer, second, area, panes);
     drawOverlay(canvas, state.compare, viewport.overlay, panes);
     const bool grabs = viewport.stroke.kind == Stroke::Kind::Grab;
     const int held = viewport.stroke.movesLight() ? viewport.stroke.light : -1;

@@ -1,5 +1,6 @@
 #include "app/explorer/window.h"
 
+#include "app/explorer/ui/fonts.h"
 #include "app/explorer/ui/ui.h"
 #include "app/explorer/window_state.h"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <future>
 #include <utility>
 
 namespace reflectance::explorer {
@@ -45,14 +47,33 @@ void setHints()
 void renewFonts(WindowState& state, float scale, float pixelsPerPoint)
 {
     const float wanted = scale * pixelsPerPoint;
-    if (wanted == state.fontScale)
+    if (wanted == state.shownScale)
         return;
-    state.fontScale = wanted;
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui::GetIO().Fonts->Clear();
-    loadFonts(wanted);
+    state.shownScale = wanted;
+    if (wanted != state.fontScale) {
+        state.fontScale = wanted;
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui::GetIO().Fonts->Clear();
+        loadFonts(wanted);
+    }
     ImGui::GetIO().FontGlobalScale = 1.0F / pixelsPerPoint;
     applyTheme(scale);
+}
+
+/// Of the monitor on which the window will most likely open.
+float likelyScale()
+{
+    float x = 1.0F, y = 1.0F;
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+        glfwGetMonitorContentScale(monitor, &x, &y);
+    return std::max({x, y, 0.5F});
+}
+
+std::unique_ptr<ImFontAtlas> fontsFor(float scale)
+{
+    auto atlas = std::make_unique<ImFontAtlas>();
+    loadFonts(*atlas, scale);
+    return atlas;
 }
 
 } // namespace
@@ -93,6 +114,9 @@ Result<Window> Window::open(int width, int height, float scale)
     auto state = std::make_unique<WindowState>();
     setHints();
     state->chosenScale = scale;
+    // Glyphs are drawn while the driver makes the window and its context: neither waits for the other.
+    state->fontScale = scale > 0.0F ? scale : likelyScale();
+    auto fonts = std::async(std::launch::async, fontsFor, state->fontScale);
     state->window = glfwCreateWindow(width, height, "Reflectance Explorer", nullptr, nullptr);
     if (!state->window)
         return Error{"no window with OpenGL 3.3 could be opened (" + lastGlfwError +
@@ -103,7 +127,8 @@ Result<Window> Window::open(int width, int height, float scale)
     glfwSwapInterval(1);
     noteEvents(state->window);
 
-    state->gui = ImGui::CreateContext();
+    state->fonts = fonts.get();
+    state->gui = ImGui::CreateContext(state->fonts.get());
     ImGui::GetIO().IniFilename = nullptr; // the preferences hold what is kept
     ImGui_ImplGlfw_InitForOpenGL(state->window, true);
     takeKeys(state->window);

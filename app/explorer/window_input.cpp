@@ -42,6 +42,15 @@ std::string keyName(int key, int scancode)
     return character ? character : "";
 }
 
+/// Dear ImGui 1.86 knows keys by their place on a US keyboard. Its shortcuts in text fields are letters, and the key that carries
+/// the letter is meant: Z and Y trade places on a German one.
+int keyByLetter(int key, int scancode)
+{
+    const char* character = namedKey(key).empty() ? glfwGetKeyName(key, scancode) : nullptr;
+    const bool letter = character && character[0] >= 'a' && character[0] <= 'z' && character[1] == '\0';
+    return letter ? GLFW_KEY_A + (character[0] - 'a') : key;
+}
+
 WindowState& stateOf(GLFWwindow* window)
 {
     return *static_cast<WindowState*>(glfwGetWindowUserPointer(window));
@@ -77,7 +86,7 @@ void keyPressed(GLFWwindow* window, int key, int scancode, int action, int modif
     state.happened = true;
     const bool arrow = isArrow(key);
     if (!arrow || !arrowsAreOurs(state) || action == GLFW_RELEASE)
-        tellImGui(window, key, scancode, action, modifiers);
+        tellImGui(window, keyByLetter(key, scancode), scancode, action, modifiers);
     if (arrow && !arrowsAreOurs(state))
         return;
     const bool control = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;

@@ -6,6 +6,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct WindowState {
     bool shown = false;
     float chosenScale = 0.0F; ///< 0: the monitor's
     float fontScale = 0.0F;   ///< the scale that the fonts were made for
+    float shownScale = 0.0F;  ///< the scale that the theme was made for; 0 before the first frame
+    std::unique_ptr<ImFontAtlas> fonts; ///< the context's
 
     WindowState() = default;
     WindowState(const WindowState&) = delete;

@@ -12,7 +12,7 @@ namespace reflectance {
     return a.meshFile == b.meshFile && a.recomputeNormals == b.recomputeNormals && a.mesh == b.mesh &&
            a.camera == b.camera && a.lights == b.lights && a.environment == b.environment &&
            a.background == b.background && a.surface == b.surface && a.other == b.other && a.sensor == b.sensor &&
-           a.variants == b.variants;
+           a.variants == b.variants && a.pins == b.pins;
 }
 
 } // namespace reflectance

@@ -7,6 +7,7 @@
 #include "core/illumination/light.h"
 #include "core/reflectance/catalogue.h"
 #include "core/scene/measured_table.h"
+#include "core/scene/pin.h"
 #include "core/sensor/sensor.h"
 #include "core/spectra/convention.h"
 
@@ -30,6 +31,7 @@ struct Surface {
     bool showHoles = false;                          ///< stripes where the table was not measured, instead of black
     std::string modelFile = {};                      ///< where `own` came from; empty without one
     std::shared_ptr<const Model> own = {};           ///< the user's own model, in use while `model` is its id
+    std::vector<std::string> rungs = {};             ///< how its picture is made, see rung_list.h; empty: as all others
 
     friend bool operator==(const Surface&, const Surface&) = default;
 };
@@ -64,6 +66,7 @@ struct Scene {
     std::optional<Surface> other; ///< B; everything else A and B share
     Sensor sensor;
     std::vector<KeptSurface> variants = {}; ///< kept beside A and B; no picture depends on them
+    std::vector<Pin> pins = {};             ///< where the probe looks; no picture depends on them
 };
 
 /// The clay mug under two lights, as the explorer opens it. The mesh is embedded in the program.

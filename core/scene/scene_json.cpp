@@ -3,10 +3,13 @@
 #include "core/geometry/load.h"
 #include "core/reflectance/lists.h"
 #include "core/scene/library_surface.h"
+#include "core/scene/names.h"
+#include "core/scene/rung_list.h"
 #include "core/scene/sensor_file.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 namespace reflectance {
 namespace {
@@ -109,6 +112,16 @@ Json written(const Surface& surface, const ScenePaths& paths)
         json["file"] = writtenPath(paths, surface.tableFile);
     if (surface.own && !surface.modelFile.empty())
         json["model_file"] = writtenPath(paths, surface.modelFile);
+    if (!surface.rungs.empty())
+        json["rungs"] = surface.rungs;
+    return json;
+}
+
+Json written(const Pin& pin, const Scene& scene, const ScenePaths& paths)
+{
+    Json json{{"name", pin.name}, {"at", array(pin.P)}, {"triangle", pin.triangle}};
+    if (pin.meshFile != scene.meshFile)
+        json["mesh"] = isStockMesh(pin.meshFile) ? pin.meshFile : writtenPath(paths, pin.meshFile);
     return json;
 }
 
@@ -209,6 +222,9 @@ void readSurface(ObjectReader object, Surface& surface, const ScenePaths& paths)
         if (const auto agree = checkLists(other->text, surface.values); !agree)
             object.fail(agree.error().message);
     readConvention(object, surface);
+    object.readTexts("rungs", surface.rungs);
+    if (const auto possible = checkRungs(surface.rungs); !possible)
+        object.fail(possible.error().message);
     std::string file;
     object.read("file", file);
     if (!file.empty())
@@ -223,12 +239,41 @@ void readVariants(ObjectReader& object, Scene& scene, const ScenePaths& paths)
         part.read("name", variant.name);
         part.readObject("surface", [&](ObjectReader surface) { readSurface(surface, variant.surface, paths); });
         part.finish();
-        const auto named = [&](const KeptSurface& other) { return other.name == variant.name; };
-        if (variant.name.empty())
-            part.fail("a variant has no name; give it one, \"name\"");
-        else if (std::count_if(scene.variants.begin(), scene.variants.end(), named) > 1)
-            part.fail("two variants are named '" + variant.name + "'; rename one of them");
+        if (const std::string problem = nameProblem(scene.variants, "variant"); !problem.empty())
+            part.fail(problem);
     });
+}
+
+/// Of the scene's own object; those of another one wait for it.
+void checkPin(ObjectReader& object, const Pin& pin, const Scene& scene)
+{
+    const std::size_t triangles = scene.mesh ? scene.mesh->triangles.size() : 0;
+    if (pin.meshFile == scene.meshFile && pin.triangle >= triangles)
+        object.fail("pin '" + pin.name + "' lies on triangle " + std::to_string(pin.triangle) + ", and the mesh has " +
+                    std::to_string(triangles) + "; remove the pin, or give the mesh that it was put on");
+}
+
+/// After the mesh.
+void readPins(ObjectReader& object, Scene& scene, const ScenePaths& paths)
+{
+    object.readList("pins", scene.pins, [&](ObjectReader part, Pin& pin) {
+        int triangle = 0;
+        part.read("name", pin.name);
+        part.read("at", pin.P);
+        part.read("triangle", triangle, 0, std::numeric_limits<int>::max());
+        part.read("mesh", pin.meshFile);
+        part.finish();
+        pin.triangle = static_cast<std::uint32_t>(triangle);
+        if (pin.meshFile.empty())
+            pin.meshFile = scene.meshFile;
+        else if (!isStockMesh(pin.meshFile))
+            pin.meshFile = resolvedPath(paths, pin.meshFile);
+        if (const std::string problem = nameProblem(scene.pins, "pin"); !problem.empty())
+            part.fail(problem);
+        checkPin(part, pin, scene);
+    });
+    if (scene.pins.size() > mostPins)
+        object.fail("a scene keeps at most " + std::to_string(mostPins) + " pins; remove some");
 }
 
 void readMeshKeys(ObjectReader& object, Scene& scene, const ScenePaths& paths)
@@ -265,6 +310,7 @@ void readScene(ObjectReader object, Scene& scene, const ScenePaths& paths)
     object.readObject("surface", [&](ObjectReader part) { readSurface(part, scene.surface, paths); });
     object.readObject("compare", [&](ObjectReader part) { readSurface(part, scene.other.emplace(), paths); });
     readVariants(object, scene, paths);
+    readPins(object, scene, paths);
     object.readObject("sensor", [&](ObjectReader part) {
         readSensor(part, scene.sensor, [&](const std::string& path) { return resolvedPath(paths, path); });
     });
@@ -296,6 +342,8 @@ Json sceneJson(const Scene& scene, const ScenePaths& paths)
         json["compare"] = written(*scene.other, paths);
     for (const KeptSurface& variant : scene.variants)
         json["variants"].push_back({{"name", variant.name}, {"surface", written(variant.surface, paths)}});
+    for (const Pin& pin : scene.pins)
+        json["pins"].push_back(written(pin, scene, paths));
     return json;
 }
 

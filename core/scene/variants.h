@@ -11,9 +11,6 @@ namespace reflectance {
 /// The variant's index, or a sentence that names the nearest one.
 [[nodiscard]] Result<std::size_t> findVariant(const Scene& scene, const std::string& name);
 
-/// The stem, or with the first number that no variant has: "Hybrid", "Hybrid 2".
-[[nodiscard]] std::string freshVariantName(const Scene& scene, const std::string& stem);
-
 /// Keeps a surface under a fresh name; returns its index.
 std::size_t keepVariant(Scene& scene, const Surface& surface);
 

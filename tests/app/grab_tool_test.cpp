@@ -4,6 +4,7 @@
 #include "app/explorer/keys.h"
 #include "app/explorer/recording.h"
 #include "core/study/grab/grab.h"
+#include "core/study/grab/width.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -57,8 +58,7 @@ Cursor edgeOf(const ExplorerState& state)
     const ProbedPoint spot = spotOf(state);
     for (double x = spot.x; x < size.width; x += 0.5) {
         const auto point = pointAt(*state.scene.mesh, state.scene.camera, x, spot.y, size.width, size.height);
-        const double n = state.scene.surface.values.at("n").front();
-        if (!point || std::pow(*lobeCosine(state.scene, state.scene.lights[0], *point), n) < 0.5)
+        if (!point || *spotHeight(state.scene, state.scene.lights[0], *point) < 0.5)
             return {x, spot.y};
     }
     ADD_FAILURE() << "no edge";
@@ -119,6 +119,29 @@ TEST(GrabTool, AnEdgeFollowsTheHandByItsExponent)
     EXPECT_EQ(state.scene.lights[0], before);
     state.history.watch(state, {}, {});
     EXPECT_EQ(state.history.undoName(), "Phong exponent");
+}
+
+TEST(GrabTool, AnEdgeFollowsTheHandWhateverItsNumberIsCalled)
+{
+    const std::pair<const char*, const char*> numbers[] = {
+        {"blinn_phong", "n"}, {"cook_torrance", "m"}, {"ward", "alpha"}, {"ggx", "alpha"}};
+    for (const auto& [model, number] : numbers) {
+        ExplorerState state = ballState();
+        state.scene.surface = Surface();
+        state.scene.surface.model = model;
+        if (std::string(number) != "n")
+            state.scene.surface.values[number] = {0.12};
+        const Cursor edge = edgeOf(state);
+        const Stroke stroke = strokeAt(state, edge);
+        ASSERT_EQ(stroke.taken, Grip::Edge) << model;
+        const Cursor to{edge.x + 20.0, edge.y};
+        ASSERT_TRUE(follow(stroke, size, to, state.compare, state.scene));
+        EXPECT_NEAR(edgeOf(state).x, to.x, 1.5) << model; // the search steps by half a pixel, the edge was taken within one
+        EXPECT_THAT(nameOf({Grip::Edge, 0, 0.0}, state.compare, state.scene), HasSubstr(std::string(", ") + number));
+        const double wide = state.scene.surface.values[number].front();
+        press({"Up", false, true}, state);
+        EXPECT_EQ(state.scene.surface.values[number].front() > wide, std::string(number) == "n") << "narrower";
+    }
 }
 
 TEST(GrabTool, ATerminatorFollowsTheHand)

@@ -32,6 +32,8 @@ Scene unusualScene()
     scene.surface.convention = Convention::Primary;
     scene.surface.W = {0.837, 0.105, 0.058, 0.219, 0.513, 0.268, 0.06, 1.0 / 3.0, 0.774};
     scene.other = Surface{"oren_nayar", {{"sigma", {0.7}}}};
+    scene.other->rungs = {"double", "eon"};
+    scene.pins = {{"rim", scene.meshFile, {0.1, 1.0 / 3.0, -0.2}, 7}, {"2", "sphere", {0.0, 1.0, 0.0}, 123456}};
     scene.sensor.exposure = -3.3;
     scene.sensor.camera = {true, 2.8, 1.0 / 30.0, 400.0, 1000.0};
     scene.sensor.vignetting = {true, FallOff::Polynomial, 31.0, {-0.1, 0.2, -0.3}};
@@ -49,7 +51,7 @@ bool equal(const Scene& a, const Scene& b)
 {
     return a.meshFile == b.meshFile && a.recomputeNormals == b.recomputeNormals && a.camera == b.camera &&
            a.lights == b.lights && a.environment == b.environment && a.background == b.background &&
-           a.surface == b.surface && a.other == b.other && a.sensor == b.sensor;
+           a.surface == b.surface && a.other == b.other && a.sensor == b.sensor && a.pins == b.pins;
 }
 
 TEST(SceneFile, ReadsBackWhatItWroteBitForBit)

@@ -55,6 +55,19 @@ TEST(Variants, AreInSceneFilesAndReadBackBitForBit)
     EXPECT_THAT(sceneText(defaultScene(), ""), testing::Not(HasSubstr("variants"))) << "none, nothing written";
 }
 
+TEST(Variants, KeepHowTheyAreDrawn)
+{
+    Scene scene = withVariants();
+    scene.variants[1].surface.rungs = {"double", "k_diagonal"};
+    scene.other = scene.variants[1].surface;
+    const auto read = parseScene(sceneText(scene, ""), "a.json", "");
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_TRUE(read->surface.rungs.empty()) << "as in every older file";
+    EXPECT_EQ(read->other->rungs, scene.other->rungs);
+    EXPECT_EQ(read->variants, scene.variants);
+    EXPECT_THAT(sceneText(defaultScene(), ""), testing::Not(HasSubstr("rungs"))) << "none, nothing written";
+}
+
 TEST(Variants, OfABadFileAreRefused)
 {
     for (const auto& [text, problem] : std::vector<std::pair<const char*, const char*>>{
@@ -62,7 +75,15 @@ TEST(Variants, OfABadFileAreRefused)
              {R"({"variants": [{"surface": {}}]})", "has no name"},
              {R"({"variants": [{"name": "a"}, {"name": "a"}]})", "two variants are named 'a'"},
              {R"({"variants": [{"name": "a", "surface": {"model": "phog"}}]})", "phong"},
-             {R"({"variants": [{"nam": "a"}]})", "did you mean 'name'"}}) {
+             {R"({"variants": [{"nam": "a"}]})", "did you mean 'name'"},
+             {R"({"pins": [{"at": [0, 0, 0]}]})", "a pin has no name"},
+             {R"({"pins": [{"name": "a"}, {"name": "a"}]})", "two pins are named 'a'"},
+             {R"({"pins": [{"name": "a", "triangle": 100000000}]})", "pin 'a' lies on triangle 100000000, and the mesh has"},
+             {R"({"pins": [{"name": "a", "at": [0, 0]}]})", "scene.pins[0].at"},
+             {R"({"surface": {"rungs": "double"}})", "scene.surface.rungs must be a list of texts"},
+             {R"({"surface": {"rungs": ["duoble"]}})", "unknown rung 'duoble'; did you mean 'double'"},
+             {R"({"compare": {"rungs": ["float", "double"]}})", "exclude each other: both choose the precision"},
+             {R"({"compare": {"rungs": ["per_face", "glsl"]}})", "belong to different renderers"}}) {
         const auto read = parseScene(text, "a.json", "");
         ASSERT_FALSE(read) << text;
         EXPECT_THAT(read.error().sentence(), HasSubstr(problem));

@@ -1,6 +1,7 @@
 #include "app/explorer/ui/compare_overlay.h"
 
 #include "app/explorer/ui/piece.h"
+#include "app/explorer/ui/rung_row.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/base/text.h"
 #include "core/image/compare.h"
@@ -77,7 +78,8 @@ void drawName(ExplorerState& state, bool isB, const Area& pane, bool atRight)
 {
     const Surface& surface = isB && state.scene.other ? *state.scene.other : state.scene.surface;
     const auto model = findModelOf(surface);
-    const std::string name = std::string(isB ? "B   " : "A   ") + (model ? (*model)->text.name : surface.model);
+    const std::string rungs = surface.rungs.empty() ? "" : "   " + rungsText(surface);
+    const std::string name = std::string(isB ? "B   " : "A   ") + (model ? (*model)->text.name : surface.model) + rungs;
     const float most = pane.width - points(16);
     const float width = std::min(sizeIn(Face::Body, name).x + points(20), most);
     const float height = ImGui::GetFrameHeight();
@@ -165,24 +167,6 @@ void drawScale(const ExplorerState& state, const Area& area)
 }
 
 } // namespace
-
-std::string figuresText(const std::optional<DifferenceFigures>& figures)
-{
-    if (!figures)
-        return "measuring\u2026";
-    if (figures->pixels == 0)
-        return "The object is out of the picture: nothing to compare.";
-    if (figures->identical)
-        return figures->ofRegion ? "Exactly equal in the rectangle: the difference is zero in every bit."
-                                 : "A and B are exactly equal: the difference is zero in every bit.";
-    std::string text = std::string(figures->ofRegion ? "Rectangle: " : "") + "RMSE " + general(figures->rmse, 3) +
-                       ", largest " + general(figures->maxAbs, 3);
-    if (figures->deltaEP95)
-        text += ";  dE2000 p95 " + general(*figures->deltaEP95, 3) + ", largest " + general(*figures->deltaEMax, 3);
-    if (figures->flipMean)
-        text += ";  FLIP " + general(*figures->flipMean, 3);
-    return text;
-}
 
 void drawCompareOverlay(ExplorerState& state, const Area& area, const Panes& panes)
 {

@@ -14,7 +14,4 @@ void drawCompareOverlay(ExplorerState& state, const Area& area, const Panes& pan
 [[nodiscard]] float compareBarHeight();
 [[nodiscard]] float compareBarWidth(float pictureWidth);
 
-/// "RMSE 0.0123, largest 0.2; dE2000 ..." for the figures, or a sentence where there is nothing to measure.
-[[nodiscard]] std::string figuresText(const std::optional<DifferenceFigures>& figures);
-
 } // namespace reflectance::explorer

@@ -16,6 +16,10 @@ enum class Face {
 /// The face at the scale that loadFonts was given.
 [[nodiscard]] ImFont* face(Face which);
 
+/// Puts the embedded faces into an atlas and draws their glyphs: some tenths of a second, on any thread, while no ImGui context is
+/// there or none of its frames runs. `scale` is 1 for a 96 dpi monitor.
+void loadFonts(ImFontAtlas& atlas, float scale);
+
 /// Pixels of a length in points: 1 point is 1 pixel at scale 1.
 [[nodiscard]] float points(float length);
 

@@ -1,7 +1,9 @@
 #include "app/explorer/ui/light_list.h"
 
 #include "app/explorer/ui/light_angles.h"
+#include "app/explorer/ui/row_list.h"
 #include "app/explorer/ui/widgets.h"
+#include "core/scene/names.h"
 #include "core/sensor/sensor.h"
 
 #include <algorithm>
@@ -10,21 +12,6 @@
 namespace reflectance::explorer {
 
 namespace {
-
-constexpr std::size_t rowsShown = 5; // more of them scroll
-
-bool nameTaken(const std::vector<Light>& lights, const std::string& name)
-{
-    return std::any_of(lights.begin(), lights.end(), [&](const Light& light) { return light.name == name; });
-}
-
-std::string freshName(const std::vector<Light>& lights, const std::string& stem)
-{
-    std::string name = stem;
-    for (int n = 2; nameTaken(lights, name); ++n)
-        name = stem + " " + std::to_string(n);
-    return name;
-}
 
 void drawSwatch(const Light& light, ImVec2 topLeft, float side)
 {
@@ -79,7 +66,6 @@ void drawName(ExplorerState& state, int index, float width)
 /// Returns true where the light is to be removed.
 bool drawRow(ExplorerState& state, int index)
 {
-    ImGui::PushID(index);
     const float gap = points(4);
     const float soloWidth = points(42);
     const float removeWidth = ImGui::GetFrameHeight();
@@ -94,7 +80,6 @@ bool drawRow(ExplorerState& state, int index)
     ImGui::SameLine(0, gap);
     const bool remove = ImGui::Button("\u00D7", {removeWidth, 0});
     tooltip("Remove this light.");
-    ImGui::PopID();
     return remove;
 }
 
@@ -151,23 +136,14 @@ void removeLight(ExplorerState& state, int index)
 
 void drawLightList(ExplorerState& state)
 {
-    const auto count = state.scene.lights.size();
-    const float rowHeight = ImGui::GetFrameHeightWithSpacing();
-    const float height = static_cast<float>(std::min(count, rowsShown)) * rowHeight;
-    int removed = -1;
-    if (count > 0) {
-        ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 0.0F);
-        ImGui::BeginChild("lights", {0, height});
-        for (int i = 0; i < static_cast<int>(count); ++i)
-            if (drawRow(state, i))
-                removed = i;
-        ImGui::EndChild();
-        ImGui::PopStyleVar();
-    } else {
+    std::optional<std::size_t> removed;
+    if (state.scene.lights.empty())
         remark("No lights: only an environment could light the object, and only a mirror looks at it.");
-    }
-    if (removed >= 0)
-        removeLight(state, removed);
+    else
+        removed = rowList("lights", state.scene.lights.size(), "More lights are below.",
+                          [&](std::size_t i) { return drawRow(state, static_cast<int>(i)); });
+    if (removed)
+        removeLight(state, static_cast<int>(*removed));
     drawAddButtons(state);
 }
 

@@ -62,11 +62,11 @@ void drawProbeCard(ExplorerState& state, ImVec2 low, ImVec2 high)
     ImGui::SameLine(0, points(4));
     if (state.probe.picked) {
         if (ImGui::Button("Remove"))
-            state.probe.remove();
+            state.probe.remove(state.scene);
         tooltip("Take this pin off the object.");
     } else {
         if (ImGui::Button("Pin"))
-            state.probe.pin();
+            state.probe.pin(state.scene);
         tooltip("Keep this probe on the object while others are made.");
     }
     ImGui::EndChild();

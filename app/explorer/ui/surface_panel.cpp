@@ -3,6 +3,7 @@
 #include "app/explorer/ui/card.h"
 #include "app/explorer/ui/formula_view.h"
 #include "app/explorer/ui/parameter_rows.h"
+#include "app/explorer/ui/rung_row.h"
 #include "app/explorer/ui/table_rows.h"
 #include "app/explorer/ui/variant_rows.h"
 #include "app/explorer/ui/widgets.h"
@@ -195,6 +196,7 @@ void drawSurfacePanel(ExplorerState& state)
     for (const Parameter& parameter : model.parameters)
         parameterRows(model, parameter, state);
     drawKeptValues(model, surfaceInHand(state.compare, state.scene).values);
+    rungRow(state);
     variantRows(state);
     exportButton(state);
 }

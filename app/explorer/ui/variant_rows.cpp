@@ -1,17 +1,16 @@
 #include "app/explorer/ui/variant_rows.h"
 
+#include "app/explorer/ui/row_list.h"
+#include "app/explorer/ui/rung_row.h"
 #include "app/explorer/ui/widgets.h"
 #include "core/scene/variants.h"
 
-#include <algorithm>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 namespace reflectance::explorer {
 
 namespace {
-
-constexpr std::size_t rowsShown = 5; // more of them scroll
 
 /// The name is typed into a copy: one that is taken or empty is not put in place.
 void drawName(ExplorerState& state, std::size_t index, float width)
@@ -20,7 +19,9 @@ void drawName(ExplorerState& state, std::size_t index, float width)
     ImGui::SetNextItemWidth(width);
     const bool edited = ImGui::InputText("##name", &name);
     const auto renamed = edited ? renameVariant(state.scene, index, name) : Result<void>();
-    tooltip("The variant's name: " + modelOf(state.scene.variants[index].surface).text.name +
+    const Surface& surface = state.scene.variants[index].surface;
+    const std::string rungs = surface.rungs.empty() ? "" : ", " + rungsText(surface);
+    tooltip("The variant's name: " + modelOf(surface).text.name + rungs +
             ". Type another one, which no other variant has." +
             (renamed ? std::string() : "\nNot yet: " + renamed.error().sentence() + "."));
 }
@@ -28,7 +29,6 @@ void drawName(ExplorerState& state, std::size_t index, float width)
 /// True where the variant is to be removed.
 bool drawRow(ExplorerState& state, std::size_t index)
 {
-    ImGui::PushID(static_cast<int>(index));
     const float gap = points(4), side = ImGui::GetFrameHeight();
     const float renew = sizeIn(Face::Body, "renew").x + points(14);
     drawName(state, index, ImGui::GetContentRegionAvail().x - 3 * side - renew - 4 * gap);
@@ -49,25 +49,15 @@ bool drawRow(ExplorerState& state, std::size_t index)
     ImGui::SameLine(0, gap);
     const bool remove = ImGui::Button("\u00D7", {side, 0});
     tooltip("Remove this variant. A and B stay as they are.");
-    ImGui::PopID();
     return remove;
 }
 
 void drawList(ExplorerState& state)
 {
     std::vector<KeptSurface>& variants = state.scene.variants;
-    const auto rows = static_cast<float>(std::min(variants.size(), rowsShown));
-    std::size_t removed = variants.size();
-    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 0.0F);
-    ImGui::BeginChild("variants", {0, rows * ImGui::GetFrameHeightWithSpacing()});
-    for (std::size_t i = 0; i < variants.size(); ++i)
-        if (drawRow(state, i))
-            removed = i;
-    scrollBarTooltip("More variants are below.");
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-    if (removed < variants.size())
-        variants.erase(variants.begin() + static_cast<std::ptrdiff_t>(removed));
+    if (const auto removed = rowList("variants", variants.size(), "More variants are below.",
+                                     [&](std::size_t i) { return drawRow(state, i); }))
+        variants.erase(variants.begin() + static_cast<std::ptrdiff_t>(*removed));
 }
 
 } // namespace
@@ -94,7 +84,7 @@ void variantRows(ExplorerState& state)
         drawList(state);
     if (ImGui::Button("+ Keep this surface", {ImGui::GetContentRegionAvail().x, 0}))
         keepVariant(state.scene, surfaceInHand(state.compare, state.scene));
-    tooltip("Keep model and parameters as they are now, under a name.");
+    tooltip("Keep model, parameters and rungs as they are now, under a name.");
 }
 
 } // namespace reflectance::explorer

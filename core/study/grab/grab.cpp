@@ -23,11 +23,6 @@ double wayTo(double distance, const Vec3d& P, const Vec3d& direction, double fro
     return way > nearestLight ? way : std::max(fromP, nearestLight);
 }
 
-bool usesHalfVectors(const ModelText& text)
-{
-    return text.code.find("halfway(") != std::string::npos;
-}
-
 } // namespace
 
 SpotKind spotKindOf(const Scene& scene)
@@ -79,30 +74,6 @@ Result<Light> withTerminatorAt(const Light& light, const ProbedPoint& point)
     const double square = dot(from, from) - height * height;
     moved.position = height * N + (square > 0.0 ? std::sqrt(square) / size : 1.0) * flat;
     return moved;
-}
-
-double exponentWithEdgeAt(const Parameter& parameter, double n, double here, double there)
-{
-    const double least = std::min(parameter.sliderMin, n), most = std::max(parameter.sliderMax, n);
-    if (!(here > 0.0) || !(here < 1.0))
-        return n;
-    if (!(there > 0.0))
-        return least;
-    const double wanted = there < 1.0 ? n * std::log(here) / std::log(there) : most;
-    return std::clamp(wanted, least, most);
-}
-
-std::optional<double> lobeCosine(const Scene& scene, const Light& light, const ProbedPoint& point)
-{
-    const ModelText& text = modelOf(scene).text;
-    if (!text.usesLobe)
-        return std::nullopt;
-    const Vec3d V = normalized(scene.camera.eye - point.P);
-    const Vec3d L = arrivalAt(light, point.P).L;
-    const double NL = dot(point.N, L);
-    if (!(NL > 0.0))
-        return std::min(NL, -0.0);
-    return usesHalfVectors(text) ? dot(point.N, normalized(L + V)) : dot(2.0 * NL * point.N - L, V);
 }
 
 } // namespace reflectance

@@ -1,5 +1,5 @@
 // From where something is to be seen back to what makes it: the light whose highlight peaks at a point of the picture, the
-// exponent whose highlight ends there, the light whose terminator runs through it. Pure functions, in double.
+// light whose terminator runs through it; width.h has the highlight's edge. Pure functions, in double.
 #pragma once
 
 #include "core/study/grab/grasp.h"
@@ -24,15 +24,7 @@ enum class SpotKind { Mirrored, Facing };
 /// that is possible. An error where the light stands straight above the point.
 [[nodiscard]] Result<Light> withTerminatorAt(const Light& light, const ProbedPoint& point);
 
-/// The exponent whose highlight is at `there` as bright as that of n is at `here`; both are lobe cosines, see lobeCosine.
-/// Kept within the slider's range of n, or at n itself where that lies outside.
-[[nodiscard]] double exponentWithEdgeAt(const Parameter& parameter, double n, double here, double there);
-
-/// What the surface's lobe raises to the power n at a point: R.V, or N.H for a model of half vectors. Negative where the
-/// light is behind the surface. None for a model without a lobe.
-[[nodiscard]] std::optional<double> lobeCosine(const Scene& scene, const Light& light, const ProbedPoint& point);
-
-/// What lies within `reach` pixels of a point of the picture: the edge of a spot (where the lobe has half its height), the
+/// What lies within `reach` pixels of a point of the picture: the edge of a spot (where it has half its height), the
 /// spot itself, or a terminator, in this order; of several lights the one that is brightest there. Lights that are off have
 /// nothing to hold.
 [[nodiscard]] std::optional<Grasp> graspAt(const Scene& scene, const ProbedPoint& point, double reach);

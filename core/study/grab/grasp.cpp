@@ -1,5 +1,6 @@
 // What lies under a cursor, and where a light's spot is seen.
 #include "core/study/grab/spot_angle.h"
+#include "core/study/grab/width.h"
 
 #include <numbers>
 
@@ -42,6 +43,7 @@ struct Wish {
     SpotKind kind;
     double reach;
     Vec3d eye;
+    bool hasEdge; ///< a number of the model says how wide the spot is
 };
 
 double spotAngleAt(const Wish& wish, const Light& light, const ProbedPoint& point)
@@ -49,15 +51,10 @@ double spotAngleAt(const Wish& wish, const Light& light, const ProbedPoint& poin
     return spotAngle(wish.kind, point.N, arrivalAt(light, point.P).L, normalized(wish.eye - point.P));
 }
 
-/// Where the spot ends, as the lobe's own angle; none where the formula has no exponent.
-std::optional<double> edgeAngle(const Scene& scene)
+/// Of heights h of a spot: sqrt(-ln h) grows about as the angle to the peak does, so that its slope tells pixels.
+double spread(double height)
 {
-    const Model& model = modelOf(scene);
-    const Parameter* n = model.text.usesLobe ? model.text.find("n") : nullptr;
-    if (!n || n->kind != ParameterKind::Number)
-        return std::nullopt;
-    const double exponent = valuesOf(scene)[n->offset];
-    return exponent > 0.0 ? std::acos(std::pow(0.5, 1.0 / exponent)) : std::numbers::pi / 2.0;
+    return std::sqrt(-std::log(std::clamp(height, 1e-12, 1.0)));
 }
 
 double spotSize(const Wish& wish, const Light& light)
@@ -74,16 +71,13 @@ std::optional<Grasp> graspOf(const Wish& wish, std::size_t index, const Neighbou
     const auto angle = [&](const ProbedPoint& p) { return spotAngleAt(wish, light, p); };
     if (NL > 0.0) {
         const double fromPeak = angle(around.here), reach = wish.reach * slope(around, angle);
-        const auto edge = wish.kind == SpotKind::Mirrored ? edgeAngle(wish.scene) : std::nullopt;
-        if (edge) {
-            const auto lobeAngle = [&](const ProbedPoint& p) {
-                return std::acos(std::clamp(lobeCosine(wish.scene, light, p).value_or(0.0), -1.0, 1.0));
-            };
-            const double here = lobeAngle(around.here), perPixel = slope(around, lobeAngle);
+        if (wish.hasEdge) {
+            const auto far = [&](const ProbedPoint& p) { return spread(spotHeight(wish.scene, light, p).value_or(0.0)); };
+            const double here = far(around.here), perPixel = slope(around, far), off = std::fabs(here - spread(edgeHeight));
             // A spot that is smaller than the hand is taken at its middle.
-            if (fromPeak > reach && std::fabs(here - *edge) <= wish.reach * perPixel)
-                return Grasp{Grip::Edge, index, perPixel > 0.0 ? std::fabs(here - *edge) / perPixel : 0.0};
-            if (here < *edge || fromPeak <= reach)
+            if (fromPeak > reach && off <= wish.reach * perPixel)
+                return Grasp{Grip::Edge, index, perPixel > 0.0 ? off / perPixel : 0.0};
+            if (here < spread(edgeHeight) || fromPeak <= reach)
                 return Grasp{Grip::Spot, index, 0.0};
         } else if (fromPeak < spotSize(wish, light) || fromPeak <= reach) {
             return Grasp{Grip::Spot, index, 0.0};
@@ -149,7 +143,7 @@ ProbedPoint atPeak(const Wish& wish, const Light& light, ProbedPoint best)
 
 std::optional<Grasp> graspAt(const Scene& scene, const ProbedPoint& point, double reach)
 {
-    const Wish wish{scene, spotKindOf(scene), reach, scene.camera.eye};
+    const Wish wish{scene, spotKindOf(scene), reach, scene.camera.eye, spotWidthOf(scene).has_value()};
     const Neighbourhood around{point, neighbour(scene, point, 1.0, 0.0), neighbour(scene, point, 0.0, 1.0)};
     std::optional<Grasp> best;
     double bestRank = 0.0;
@@ -168,7 +162,7 @@ std::optional<Grasp> graspAt(const Scene& scene, const ProbedPoint& point, doubl
 
 std::optional<ProbedPoint> spotIn(const Scene& scene, const Light& light, int width, int height)
 {
-    const Wish wish{scene, spotKindOf(scene), 0.0, scene.camera.eye};
+    const Wish wish{scene, spotKindOf(scene), 0.0, scene.camera.eye, false};
     constexpr std::size_t mostVertices = 24;
     for (const Candidate& candidate : nearestVertices(scene, light, wish.kind, mostVertices)) {
         const Vec3d image = projected(scene.camera, candidate.P, width, height);

@@ -18,11 +18,11 @@ std::optional<Scene> without(const char* rung, const Scene& scene)
 void addSurfaceTerms(const Scene& scene, std::vector<Term>& terms)
 {
     if (modelOf(scene).id() == "hybrid") {
-        Scene highlight = scene;
-        highlight.surface.model = "phong";
-        terms.push_back({"body", highlight});
+        Scene specular = scene;
+        specular.surface.model = "phong";
+        terms.push_back({"diffuse", specular});
     }
-    constexpr std::pair<const char*, const char*> rungOfTerm[] = {{"highlight", "no_highlight"},
+    constexpr std::pair<const char*, const char*> rungOfTerm[] = {{"specular", "no_highlight"},
                                                                   {"off-diagonal K", "k_diagonal"},
                                                                   {"colour of K", "k_grey"},
                                                                   {"interreflection", "oren_nayar"},

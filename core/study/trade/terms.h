@@ -14,11 +14,11 @@ namespace reflectance {
 
 /// A scene without one of its terms.
 struct Term {
-    std::string name; ///< "highlight", "light 'key'", "off-diagonal K"
+    std::string name; ///< "specular", "light 'key'", "off-diagonal K"
     Scene without;
 };
 
-/// Body, highlight, off-diagonal entries of K, roughness, interreflection, each light, surroundings: those that the scene has.
+/// Diffuse and specular term, off-diagonal entries of K, roughness, interreflection, each light, surroundings: those that the scene has.
 [[nodiscard]] std::vector<Term> termsOf(const Scene& scene);
 
 struct TermFigures {

@@ -5,6 +5,7 @@
 #include "core/study/cost/timing.h"
 #include "core/study/trade/judge.h"
 #include "core/study/trade/recipe.h"
+#include "core/study/trade/rung.h"
 
 #include <optional>
 #include <vector>
@@ -39,10 +40,6 @@ struct Candidate {
     bool onFront = false;
 
     [[nodiscard]] double cost(Cost which) const; ///< ms
-};
-
-struct SkippedRung {
-    std::string rung, why;
 };
 
 struct Trade {
@@ -84,7 +81,7 @@ struct Wanted {
 [[nodiscard]] const Candidate* mostExact(const Trade& trade);
 [[nodiscard]] const Candidate* cheapest(const Trade& trade);
 
-/// "gives up the highlight and smooth edges": what its rungs say; "gives up nothing".
+/// "gives up the specular term and smooth edges": what its rungs say; "gives up nothing".
 [[nodiscard]] std::string givenUp(const Recipe& recipe);
 
 } // namespace reflectance

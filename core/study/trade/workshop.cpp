@@ -48,13 +48,26 @@ Workshop::Workshop(std::shared_ptr<const Mesh> mesh, const Camera& camera, GlRen
 {
 }
 
+GlShading glShadingOf(const Recipe& recipe)
+{
+    return {recipe.place, recipe.halfBuffer, recipe.lobe, recipe.specialised};
+}
+
+void Workshop::look(std::shared_ptr<const ViewSamples> samples)
+{
+    const RenderSettings& settings = samples->settings;
+    const ViewKey key{settings.width, settings.height, settings.samplesPerAxis};
+    views_[key] = {std::move(samples), 0.0};
+}
+
 const Workshop::Seen& Workshop::seen(const RenderSettings& settings)
 {
+    Seen& view = views_[{settings.width, settings.height, settings.samplesPerAxis}];
+    if (view.samples)
+        return view;
     if (!rays_)
         meshMilliseconds_ = millisecondsOf([&] { rays_ = makeRayScene(mesh_); });
-    Seen& view = views_[{settings.width, settings.height, settings.samplesPerAxis}];
-    if (!view.samples)
-        view.milliseconds = millisecondsOf(
+    view.milliseconds = millisecondsOf(
             [&] { view.samples = std::make_shared<const ViewSamples>(sampleView(*rays_, camera_, settings)); });
     return view;
 }
@@ -108,8 +121,7 @@ Image Workshop::shadedOnCpu(const Prepared& prepared) const
 Result<void> Workshop::drawOnGl(const Prepared& prepared)
 {
     const Recipe& recipe = prepared.recipe;
-    return gl_->render(recipe.scene, drawnSettings(recipe),
-                       {recipe.place, recipe.halfBuffer, recipe.lobe, recipe.specialised});
+    return gl_->render(recipe.scene, drawnSettings(recipe), glShadingOf(recipe));
 }
 
 Result<Image> Workshop::picture(const Prepared& prepared)

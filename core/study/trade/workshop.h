@@ -22,11 +22,17 @@ struct Prepared {
     std::size_t bytes = 0;                      ///< kept between two shadings, besides mesh and scene
 };
 
+/// How GL shades a recipe.
+[[nodiscard]] GlShading glShadingOf(const Recipe& recipe);
+
 class Workshop {
 public:
     /// All recipes show one mesh by one camera. The renderer's context must be current while GL recipes are worked on; null:
     /// there are none.
     Workshop(std::shared_ptr<const Mesh> mesh, const Camera& camera, GlRenderer* gl);
+
+    /// What is seen, by whoever looked: CPU recipes of that size and sampling shade it, and look no more themselves.
+    void look(std::shared_ptr<const ViewSamples> samples);
 
     [[nodiscard]] Result<Prepared> prepare(const Recipe& recipe);
 

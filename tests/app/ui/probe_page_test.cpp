@@ -22,7 +22,7 @@ ExplorerState comparedState()
     state.scene.other->model = "phong";
     state.compare.on = true;
     probeUnder(state, {80.0, 60.0}, view);
-    state.probe.pin();
+    state.probe.pin(state.scene);
     probeUnder(state, {70.0, 40.0}, view);
     examine(state, state.scene, view);
     state.probe.foundLoose->pixelA =
@@ -80,14 +80,14 @@ TEST_P(ProbePage, ExplainsEveryControl)
 TEST_P(ProbePage, CopiesTheCoresText)
 {
     const std::string text = textOf(*state.probe.found());
-    const std::string csv = probeCsv(listed(state.probe));
+    const std::string csv = probeCsv(listed(state.probe, state.scene));
     clickUntil([&] { return clipboard() == text; });
     clickUntil([&] { return clipboard() == csv; });
 }
 
 TEST_P(ProbePage, SavesTheTableAndShowsATermAlone)
 {
-    const std::string csv = probeCsv(listed(state.probe));
+    const std::string csv = probeCsv(listed(state.probe, state.scene));
     clickUntil([&] { return !state.requests.empty(); });
     EXPECT_EQ(state.requests[0].kind, Request::Kind::SaveText);
     EXPECT_EQ(state.requests[0].path, "probes.csv");
@@ -131,7 +131,7 @@ TEST(ProbeCard, OpensThePageAndPins)
     for (float x = 100.0F; x < 300.0F && state.preferences.workbenchPage.empty(); x += 8.0F)
         for (float y = 150.0F; y < 300.0F && state.preferences.workbenchPage.empty(); y += 8.0F)
             stage.click({x, y}, draw);
-    EXPECT_EQ(state.probe.pins.size(), 2U);
+    EXPECT_EQ(state.scene.pins.size(), 2U);
     EXPECT_EQ(state.preferences.workbenchPage, "probe");
 }
 

@@ -130,17 +130,5 @@ TEST(GrabErrors, SayInASentenceWhatToDo)
     EXPECT_FALSE(withTerminatorAt(above, edgeOn));
 }
 
-TEST(GrabEdge, GivesTheExponentWhoseLobeIsAsHighThere)
-{
-    const Parameter& n = *(*findModel("hybrid"))->text.find("n");
-    const double wider = exponentWithEdgeAt(n, 40.0, 0.98, 0.90);
-    EXPECT_NEAR(std::pow(0.90, wider), std::pow(0.98, 40.0), 1e-14); // a few roundings of a number below 1
-    EXPECT_EQ(exponentWithEdgeAt(n, 40.0, 0.98, 0.98), 40.0);
-    EXPECT_EQ(exponentWithEdgeAt(n, 40.0, 0.98, 1.0), n.sliderMax) << "at the peak";
-    EXPECT_EQ(exponentWithEdgeAt(n, 40.0, 0.98, -0.1), n.sliderMin) << "behind the lobe";
-    EXPECT_EQ(exponentWithEdgeAt(n, 1e6, 0.98, 1.0), 1e6) << "beyond the slider, where it was typed";
-    EXPECT_EQ(exponentWithEdgeAt(n, 40.0, 1.0, 0.5), 40.0) << "nothing was taken hold of";
-}
-
 } // namespace
 } // namespace reflectance

@@ -17,7 +17,7 @@ std::vector<std::string> namesOf(const Scene& scene)
 TEST(Terms, AreThoseThatTheSceneHas)
 {
     Scene scene = shinyScene();
-    EXPECT_THAT(namesOf(scene), testing::ElementsAre("body", "highlight", "off-diagonal K", "colour of K",
+    EXPECT_THAT(namesOf(scene), testing::ElementsAre("diffuse", "specular", "off-diagonal K", "colour of K",
                                                      "light 'light'", "light 'faint'", "light 'lamp'"));
     scene.surface.model = "oren_nayar_full";
     scene.lights.resize(1);

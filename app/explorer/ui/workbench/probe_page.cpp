@@ -4,9 +4,11 @@
 #include "app/explorer/ui/widgets.h"
 #include "app/explorer/ui/workbench/probe_views.h"
 #include "app/explorer/ui/workbench/terms_view.h"
+#include "core/scene/names.h"
 
 #include <algorithm>
 #include <array>
+#include <imgui_stdlib.h>
 
 namespace reflectance::explorer {
 namespace {
@@ -27,38 +29,51 @@ void detailRow(ProbeStudy& study)
 }
 
 /// A row of small buttons that breaks where the column ends.
-void pinButtons(ProbeStudy& study)
+void pinButtons(ExplorerState& state)
 {
-    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    const float width = points(28);
-    const auto stay = [&] {
-        if (ImGui::GetItemRectMax().x + points(2) + width <= right)
+    ProbeStudy& study = state.probe;
+    const float room = ImGui::GetContentRegionAvail().x, right = ImGui::GetCursorScreenPos().x + room;
+    for (std::size_t i = 0; i < state.scene.pins.size(); ++i) {
+        const std::string name = elided(state.scene.pins[i].name, room - points(12));
+        const float width = std::max(points(28), sizeIn(Face::Body, name).x + points(12));
+        if (i > 0 && ImGui::GetItemRectMax().x + points(2) + width <= right)
             ImGui::SameLine(0, points(2));
-    };
-    for (std::size_t i = 0; i < study.pins.size(); ++i) {
-        if (i > 0)
-            stay();
-        if (toggleButton((std::to_string(i + 1) + "##pin").c_str(), study.picked == i, {width, 0}))
+        if (toggleButton((name + "##pin" + std::to_string(i)).c_str(), study.picked == i, {width, 0}))
             study.pick(i);
         tooltip("Look at this pin.");
     }
 }
 
-void pinRow(ProbeStudy& study)
+/// The name of the pin that is looked at, typed into a copy: one that is taken or empty is not put in place.
+void pinName(ExplorerState& state)
 {
+    const auto& picked = state.probe.picked;
+    if (!picked || *picked >= state.scene.pins.size())
+        return;
+    std::string& current = state.scene.pins[*picked].name;
+    std::string name = current;
+    ImGui::SetNextItemWidth(-1);
+    const bool edited = ImGui::InputText("##pin name", &name);
+    const auto renamed = edited ? rename(state.scene.pins, current, name, "pin") : Result<void>();
+    tooltip("The pin's name, on the object, in the CSV and in the scene file." +
+            (renamed ? std::string() : "\nNot yet: " + renamed.error().sentence() + "."));
+}
+
+void pinRow(ExplorerState& state)
+{
+    ProbeStudy& study = state.probe;
     const float width = (ImGui::GetContentRegionAvail().x - points(4)) / 2;
-    const bool canPin = study.loose && !study.picked && study.pins.size() < ProbeStudy::mostPins;
+    const bool canPin = study.loose && !study.picked && state.scene.pins.size() < mostPins;
     ImGui::BeginDisabled(!canPin);
     if (ImGui::Button("Pin", {width, 0}))
-        study.pin();
+        study.pin(state.scene);
     ImGui::EndDisabled();
-    tooltip("Keep this probe on the object, with a number, while others are made. It stays on its point when the "
-            "camera moves; "
-            "at most 20.");
+    tooltip("Keep this probe on the object, under a name, while others are made. It stays on its point when the "
+            "camera moves, and is saved with the scene; at most 20.");
     ImGui::SameLine(0, points(4));
-    ImGui::BeginDisabled(study.place() == nullptr);
+    ImGui::BeginDisabled(!study.looks(state.scene));
     if (ImGui::Button("Remove", {width, 0}))
-        study.remove();
+        study.remove(state.scene);
     ImGui::EndDisabled();
     tooltip("Take this probe off the object.");
 }
@@ -73,7 +88,7 @@ void copyRows(ExplorerState& state)
         ImGui::SetClipboardText(textOf(*found).c_str());
     ImGui::EndDisabled();
     tooltip("This probe as text, to the clipboard: every statement with its numbers.");
-    const std::vector<Probe> all = listed(study);
+    const std::vector<Probe> all = listed(study, state.scene);
     ImGui::BeginDisabled(all.empty());
     ImGui::SameLine(0, points(4));
     if (ImGui::Button("Copy CSV", {width, 0}))
@@ -105,8 +120,9 @@ void overlayRow(ProbeStudy& study)
 void pointControls(ExplorerState& state)
 {
     ProbeStudy& study = state.probe;
-    pinButtons(study);
-    pinRow(study);
+    pinButtons(state);
+    pinName(state);
+    pinRow(state);
     overlayRow(study);
     const FoundProbe* found = study.found();
     if (found && found->b) {
@@ -167,11 +183,12 @@ void drawStages(ProbeStudy& study, const FoundProbe& found)
     }
 }
 
-void drawPoint(ProbeStudy& study)
+void drawPoint(ExplorerState& state)
 {
+    ProbeStudy& study = state.probe;
     if (const FoundProbe* found = study.found())
         return drawStages(study, *found);
-    remark(study.place()
+    remark(study.looks(state.scene)
                ? "This pin lies on another object; it comes back with it."
                : "Click a point of the object, or press P over it: light, surface and sensor at that point, with the "
                  "formula's numbers filled in, in double, and what GL drew beside it.");
@@ -194,7 +211,7 @@ void drawProbePage(ExplorerState& state)
     ImGui::EndChild();
     ImGui::SameLine(0, points(12));
     if (study.detail == ProbeDetail::Point)
-        return drawPoint(study);
+        return drawPoint(state);
     ImGui::BeginChild("bars", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     drawTermBars(state);
     scrollBarTooltip(scrollHint);

@@ -78,7 +78,7 @@ void drawTermBars(ExplorerState& state)
         drawTradeTerms(study);
     else if (!study.measuringTerms)
         remark(
-            "A bar for each term: highlight, off-diagonal K, roughness, every light. What a term buys is how far the "
+            "A bar for each term: diffuse, specular, off-diagonal K, roughness, every light. What a term buys is how far the "
             "picture is off without it.");
 }
 

@@ -58,7 +58,7 @@ void matchAlbedo(const Surface& from, Surface& to)
 Applied withoutHighlight(int /*amount*/, Recipe& recipe)
 {
     if (!isOneOf(recipe.scene, {"hybrid"}))
-        return {not_(recipe.scene, "has no highlight beside its body")};
+        return {not_(recipe.scene, "has no specular term beside its diffuse one")};
     Applied applied;
     if (const auto I = mostArriving(recipe.scene)) {
         const std::vector<double> ks = numbers(recipe.scene.surface, "ks");
