@@ -1,4 +1,4 @@
-// Triangles taken a block at a time, coordinate by coordinate, so that loops over them become lanes.
+// Triangles taken a block at a time, coordinate by coordinate, for loops that do one thing to all of them.
 #pragma once
 
 #include "core/base/parallel.h"

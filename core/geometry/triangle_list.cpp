@@ -146,7 +146,7 @@ std::vector<Mesh::Triangle> inThrees(std::vector<Index>& indices, int threads)
 /// The unit normals of a block of triangles; nonsense where they are not plain: of handy size, finite, with an area.
 struct NormalBlock {
     std::array<TriangleBlock::Numbers, 3> normals;
-    TriangleBlock::Numbers sizes, extents, excess; ///< numbers, and no answers yet, so that the loop becomes lanes
+    TriangleBlock::Numbers sizes, extents, excess; ///< numbers, and no answers yet: the loop has no branch
 
     explicit NormalBlock(const TriangleBlock& block)
     {

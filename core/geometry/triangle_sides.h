@@ -12,7 +12,7 @@ namespace reflectance {
     return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
 }
 
-/// Written without branches, so that loops over triangles become lanes.
+/// Written without branches, for loops over many triangles.
 struct TriangleSides {
     Vec3d ab, ac, bc;
 
