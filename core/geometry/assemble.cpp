@@ -1,6 +1,9 @@
 #include "core/geometry/assemble.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
+#include <functional>
 
 namespace reflectance {
 namespace {
@@ -8,6 +11,28 @@ namespace {
 using Index = PolygonSoup::Index;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr std::size_t perRange = 65536;
+
+/// As length(), without its care where none is needed.
+double quickLength(const Vec3d& v)
+{
+    const double squared = dot(v, v);
+    return squared > 1e-200 && squared < 1e200 ? std::sqrt(squared) : length(v);
+}
+
+/// Folds what value(first, last) gives for every range: the same whatever the number of threads.
+template <class T, class Value, class Fold>
+T folded(int threads, std::size_t count, const T& start, const Value& value, const Fold& fold)
+{
+    std::vector<T> values((count + perRange - 1) / perRange, start);
+    inRanges(threads, count, perRange,
+             [&](std::size_t range, std::size_t first, std::size_t last) { values[range] = value(first, last); });
+    T result = start;
+    for (const T& each : values)
+        result = fold(result, each);
+    return result;
+}
 
 /// Hands out one mesh vertex for each pair of file vertex and normal.
 class VertexSplitter {
@@ -46,57 +71,126 @@ private:
     std::vector<Index> older_;  ///< of each mesh vertex, the one made before it for the same file vertex
 };
 
-void measureBounds(const PolygonSoup& soup, const Mesh& mesh, MeshReport& report)
+/// Gives the list's corners their mesh vertices, in the order in which they are first met. Returns how many file vertices
+/// have none.
+std::size_t splitVertices(const PolygonSoup& soup, TriangleList& list, const CornerNormals& normals, Mesh& mesh)
 {
-    report.lowest = Vec3d(infinity);
-    report.highest = Vec3d(-infinity);
-    for (const Index v : mesh.fileVertex) {
-        const Vec3d& p = soup.positions[v];
-        report.lowest = {std::min(report.lowest.x, p.x), std::min(report.lowest.y, p.y),
-                         std::min(report.lowest.z, p.z)};
-        report.highest = {std::max(report.highest.x, p.x), std::max(report.highest.y, p.y),
-                          std::max(report.highest.z, p.z)};
+    VertexSplitter splitter(soup, mesh);
+    for (std::size_t t = 0; t < list.vertices.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Index normal = normals.corners[t][k];
+            list.vertices[t][k] =
+                splitter.vertex(list.vertices[t][k], normal == PolygonSoup::none ? Vec3d() : normals.normals[normal]);
+        }
+    return splitter.unused();
+}
+
+/// The same where every file vertex has one normal; those of the mesh are still to come.
+std::size_t numberVertices(const PolygonSoup& soup, TriangleList& list, Mesh& mesh)
+{
+    std::vector<Index> meshVertex(soup.positions.size(), PolygonSoup::none);
+    mesh.fileVertex.reserve(soup.positions.size());
+    for (Mesh::Triangle& triangle : list.vertices)
+        for (Index& v : triangle) {
+            Index& known = meshVertex[v];
+            if (known == PolygonSoup::none) {
+                known = static_cast<Index>(mesh.fileVertex.size());
+                mesh.fileVertex.push_back(v);
+            }
+            v = known;
+        }
+    return soup.positions.size() - mesh.fileVertex.size();
+}
+
+struct Bounds {
+    Vec3d lowest = Vec3d(infinity);
+    Vec3d highest = Vec3d(-infinity);
+
+    [[nodiscard]] Bounds with(const Bounds& b) const
+    {
+        return {{std::min(lowest.x, b.lowest.x), std::min(lowest.y, b.lowest.y), std::min(lowest.z, b.lowest.z)},
+                {std::max(highest.x, b.highest.x), std::max(highest.y, b.highest.y), std::max(highest.z, b.highest.z)}};
     }
+};
+
+Bounds boundsOf(const PolygonSoup& soup, const Mesh& mesh, int threads)
+{
+    const auto bounds = [&](std::size_t first, std::size_t last) {
+        Bounds range;
+        for (std::size_t i = first; i < last; ++i)
+            range = range.with({soup.positions[mesh.fileVertex[i]], soup.positions[mesh.fileVertex[i]]});
+        return range;
+    };
+    return folded(threads, mesh.fileVertex.size(), Bounds(), bounds,
+                  [](const Bounds& a, const Bounds& b) { return a.with(b); });
 }
 
 /// Halves first: the sum of two coordinates of 1e300 stays finite.
-Placement placementOf(const PolygonSoup& soup, const Mesh& mesh, const MeshReport& report)
+Placement placementOf(const PolygonSoup& soup, const Mesh& mesh, const Bounds& bounds, int threads)
 {
-    Placement placement{0.5 * report.lowest + 0.5 * report.highest, 0.0};
-    for (const Index v : mesh.fileVertex)
-        placement.scale = std::max(placement.scale, length(soup.positions[v] - placement.centre));
-    return placement;
+    const Vec3d centre = 0.5 * bounds.lowest + 0.5 * bounds.highest;
+    const auto farthest = [&](std::size_t first, std::size_t last) {
+        double scale = 0.0;
+        for (std::size_t i = first; i < last; ++i)
+            scale = std::max(scale, quickLength(soup.positions[mesh.fileVertex[i]] - centre));
+        return scale;
+    };
+    return {centre,
+            folded(threads, mesh.fileVertex.size(), 0.0, farthest, [](double a, double b) { return std::max(a, b); })};
 }
 
-double areaOf(const PolygonSoup& soup, const TriangleList& list)
+double areaOf(const PolygonSoup& soup, const TriangleList& list, int threads)
 {
-    double area = 0.0;
-    for (const Mesh::Triangle& t : list.vertices)
-        area += 0.5 *
-                length(cross(soup.positions[t[1]] - soup.positions[t[0]], soup.positions[t[2]] - soup.positions[t[0]]));
-    return area;
+    const auto area = [&](std::size_t first, std::size_t last) {
+        double sum = 0.0;
+        for (std::size_t i = first; i < last; ++i) {
+            const Mesh::Triangle& t = list.vertices[i];
+            const Vec3d& a = soup.positions[t[0]];
+            sum += 0.5 * quickLength(cross(soup.positions[t[1]] - a, soup.positions[t[2]] - a));
+        }
+        return sum;
+    };
+    return folded(threads, list.vertices.size(), 0.0, area, std::plus<>());
+}
+
+void placeVertices(const PolygonSoup& soup, Mesh& mesh)
+{
+    mesh.positions.reserve(mesh.fileVertex.size());
+    for (const Index v : mesh.fileVertex)
+        mesh.positions.push_back((soup.positions[v] - mesh.placement.centre) / mesh.placement.scale);
+}
+
+/// Where every file vertex has one.
+void copyNormals(const CornerNormals& normals, Mesh& mesh)
+{
+    mesh.normals.reserve(mesh.fileVertex.size());
+    for (const Index v : mesh.fileVertex)
+        mesh.normals.push_back(normals.normals[v]);
 }
 
 } // namespace
 
-Mesh assembled(const PolygonSoup& soup, TriangleList list, const CornerNormals& normals, MeshReport& report)
+Mesh assembled(const PolygonSoup& soup, TriangleList list, const CornerNormals& normals, MeshReport& report,
+               int threads)
 {
     Mesh mesh;
-    report.area = areaOf(soup, list);
+    report.area = areaOf(soup, list, threads);
     giveBack(list.faceNormals);
-    VertexSplitter splitter(soup, mesh);
-    for (std::size_t t = 0; t < list.vertices.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k)
-            list.vertices[t][k] = splitter.vertex(list.vertices[t][k], normals.at(t, k));
+    report.unusedVertices =
+        normals.isOfVertex ? numberVertices(soup, list, mesh) : splitVertices(soup, list, normals, mesh);
     mesh.triangles = std::move(list.vertices);
-    measureBounds(soup, mesh, report);
-    mesh.placement = placementOf(soup, mesh, report);
-    mesh.positions.reserve(mesh.fileVertex.size());
-    for (const Index v : mesh.fileVertex)
-        mesh.positions.push_back((soup.positions[v] - mesh.placement.centre) / mesh.placement.scale);
+    const Bounds bounds = boundsOf(soup, mesh, threads);
+    report.lowest = bounds.lowest;
+    report.highest = bounds.highest;
+    mesh.placement = placementOf(soup, mesh, bounds, threads);
+    inRanges(threads, normals.isOfVertex ? 2 : 1, 1, [&](std::size_t task, std::size_t, std::size_t) {
+        if (task == 0)
+            placeVertices(soup, mesh);
+        else
+            copyNormals(normals, mesh);
+    });
     mesh.fileVertexCount = soup.positions.size();
     report.meshVertices = mesh.positions.size();
-    report.unusedVertices = splitter.unused();
     return mesh;
 }
 

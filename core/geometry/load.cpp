@@ -101,13 +101,11 @@ Result<LoadedMesh> meshOf(PolygonSoup soup, ReadContext& context, const LoadOpti
     CornerNormals normals = fileNormals(soup, *list, report, context.threads);
     warnOfNormals(report, context.warnings);
     if (options.recomputeNormals)
-        normals = {{},
-                   std::vector(list->vertices.size(),
-                               Mesh::Triangle{PolygonSoup::none, PolygonSoup::none, PolygonSoup::none})};
+        normals = {};
     else
         noteFlatShading(normals, report);
     smoothMissingNormals(soup, *list, options.creaseAngleDegrees, normals, report, context.threads);
-    auto mesh = std::make_shared<Mesh>(assembled(soup, *std::move(list), normals, report));
+    auto mesh = std::make_shared<Mesh>(assembled(soup, *std::move(list), normals, report, context.threads));
     mesh->name = std::filesystem::path(context.file).stem().string();
     report.normalsSeconds = watch.lap();
     report.warnings = context.warnings.list();

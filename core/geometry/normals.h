@@ -13,13 +13,11 @@ namespace reflectance {
 /// The normals of every triangle's corners, those that corners share held once.
 struct CornerNormals {
     std::vector<Vec3d> normals;          ///< unit
-    std::vector<Mesh::Triangle> corners; ///< of each triangle, into `normals`; PolygonSoup::none where one is missing
+    std::vector<Mesh::Triangle> corners; ///< of each triangle, into `normals`; PolygonSoup::none where one is missing;
+                                         ///< empty where `isOfVertex`, or where every one is missing
+    bool isOfVertex = false;             ///< every corner has the normal of its vertex's number
 
-    [[nodiscard]] Vec3d at(std::size_t triangle, std::size_t corner) const
-    {
-        const std::uint32_t i = corners[triangle][corner];
-        return i == PolygonSoup::none ? Vec3d() : normals[i];
-    }
+    [[nodiscard]] bool areAllMissing() const { return corners.empty() && !isOfVertex; }
 };
 
 /// The file's normals, unit; missing where there is none or a bad one (hazard H13). A triangle that all of its

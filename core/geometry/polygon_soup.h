@@ -12,9 +12,9 @@
 namespace reflectance {
 
 /// Empties a vector and gives its memory back, which `= {}` would keep.
-template <class T> void giveBack(std::vector<T>& vector)
+template <class Vector> void giveBack(Vector& vector)
 {
-    std::vector<T>().swap(vector);
+    Vector().swap(vector);
 }
 
 struct PolygonSoup {

@@ -1,3 +1,4 @@
+#include "core/geometry/ply_blocks.h"
 #include "core/geometry/ply_header.h"
 #include "core/geometry/readers.h"
 
@@ -25,6 +26,7 @@ public:
     [[nodiscard]] long line() const { return cursor_.line(); }
     [[nodiscard]] double done() const { return static_cast<double>(cursor_.offset()) / static_cast<double>(size_); }
     [[nodiscard]] static bool isCutShort() { return false; } ///< a short line spoils one element, not the rest
+    template <class Read> static bool atOnce(const Read&) { return false; }
 
 private:
     std::size_t size_;
@@ -41,6 +43,14 @@ public:
     [[nodiscard]] static long line() { return 0; }
     [[nodiscard]] double done() const { return static_cast<double>(at_) / static_cast<double>(bytes_.size()); }
     [[nodiscard]] bool isCutShort() const { return isCutShort_; }
+
+    /// Whether read(bytes), which returns how many it used, could use what lies ahead.
+    template <class Read> bool atOnce(const Read& read)
+    {
+        const std::size_t used = swap_ || isCutShort_ ? 0 : read(bytes_.substr(at_));
+        at_ += used;
+        return used > 0;
+    }
 
     std::optional<double> next(PlyType type)
     {
@@ -127,6 +137,10 @@ public:
 private:
     bool readElements(const PlyElement& element)
     {
+        if (readAtOnce(element)) {
+            cornersBefore_ = soup_.corners.size();
+            return context_.goOn(values_.done());
+        }
         for (std::size_t i = 0; i < element.count; ++i) {
             if (i % 65536 == 0 && !context_.goOn(values_.done()))
                 return false;
@@ -145,6 +159,14 @@ private:
             values_.end();
         }
         return true;
+    }
+
+    bool readAtOnce(const PlyElement& element)
+    {
+        const auto block =
+            element.name == "vertex" ? readVertexBlock : (element.name == "face" ? readTriangleBlock : nullptr);
+        return block &&
+               values_.atOnce([&](std::string_view bytes) { return block(element, bytes, context_.threads, soup_); });
     }
 
     void readVertex(const PlyElement& element)
@@ -174,9 +196,22 @@ private:
                 readIndices(property);
             else
                 skipValue(property);
-        soup_.faceEnds.push_back(static_cast<Index>(soup_.corners.size()));
+        endFace();
         if (values_.line() > 0)
             soup_.faceLines.push_back(static_cast<Index>(values_.line()));
+    }
+
+    /// Ends of faces are kept from the first face on that is no triangle.
+    void endFace()
+    {
+        const std::size_t corners = soup_.corners.size();
+        const bool isTriangle = soup_.faceEnds.empty() && corners == cornersBefore_ + 3;
+        if (soup_.faceEnds.empty() && !isTriangle)
+            for (std::size_t end = 3; end <= cornersBefore_; end += 3)
+                soup_.faceEnds.push_back(static_cast<Index>(end));
+        if (!isTriangle)
+            soup_.faceEnds.push_back(static_cast<Index>(corners));
+        cornersBefore_ = corners;
     }
 
     void readIndices(const PlyProperty& property)
@@ -216,6 +251,7 @@ private:
     Values values_;
     ReadContext& context_;
     PolygonSoup& soup_;
+    std::size_t cornersBefore_ = 0; ///< of all faces but the one that is being read
 };
 
 const char* formatName(PlyEncoding encoding)

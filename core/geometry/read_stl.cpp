@@ -115,9 +115,9 @@ Result<void> readAscii(std::string_view text, ReadContext& context, PolygonSoup&
 }
 
 /// STL repeats every point for each of its triangles: equal ones become one vertex.
-void weld(PolygonSoup& soup)
+void weld(PolygonSoup& soup, int threads)
 {
-    soup.corners = firstAtSamePlace(soup.positions);
+    soup.corners = firstAtSamePlace(soup.positions, threads);
     std::vector<Index> place(soup.positions.size());
     Index kept = 0;
     for (Index i = 0; i < soup.positions.size(); ++i)
@@ -138,7 +138,7 @@ Result<PolygonSoup> readStl(std::string_view bytes, ReadContext& context)
     const Result<void> done = isAscii(bytes) ? readAscii(bytes, context, soup) : readBinary(bytes, context, soup);
     if (!done)
         return done.error();
-    weld(soup);
+    weld(soup, context.threads);
     soup.notes.emplace_back("STL knows one normal per facet; they were computed anew from the triangles");
     return soup;
 }

@@ -1,6 +1,7 @@
 #include "core/geometry/triangle_list.h"
 
 #include "core/base/parallel.h"
+#include "core/geometry/triangle_block.h"
 #include "core/geometry/triangulate.h"
 
 #include <algorithm>
@@ -22,9 +23,15 @@ bool isFinite(const Vec3d& p)
     return std::fabs(p.x) < farthest && std::fabs(p.y) < farthest && std::fabs(p.z) < farthest;
 }
 
-double largest(const Vec3d& v)
+double extentOf(const Vec3d& a, const Vec3d& b, const Vec3d& c)
 {
-    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    return std::max(std::max(largestComponent(a), largestComponent(b)), largestComponent(c));
+}
+
+/// To how much the cross product of a triangle's sides is known: each coordinate is known to half a unit in its last place.
+double roundingOf(double extent, double size)
+{
+    return 4.0 * std::numeric_limits<double>::epsilon() * extent * size;
 }
 
 class FaceSorter {
@@ -125,24 +132,50 @@ private:
 };
 
 /// Copies indices, three to a triangle, and gives their memory back.
-std::vector<Mesh::Triangle> inThrees(std::vector<Index>& indices)
+std::vector<Mesh::Triangle> inThrees(std::vector<Index>& indices, int threads)
 {
     std::vector<Mesh::Triangle> triangles(indices.size() / 3);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        triangles[t] = {indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]};
+    inRanges(threads, triangles.size(), facesPerRange, [&](std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t t = first; t < last; ++t)
+            triangles[t] = {indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]};
+    });
     giveBack(indices);
     return triangles;
 }
 
-/// The unit normal of a triangle of which nothing needs to be said; (0,0,0) of any other.
-Vec3d plainNormal(const PolygonSoup& soup, const Index* corners)
+/// The unit normals of a block of triangles; nonsense where they are not plain: of handy size, finite, with an area.
+struct NormalBlock {
+    std::array<TriangleBlock::Numbers, 3> normals;
+    TriangleBlock::Numbers sizes, extents, excess; ///< numbers, and no answers yet: the loop has no branch
+
+    explicit NormalBlock(const TriangleBlock& block)
+    {
+        for (std::size_t i = 0; i < TriangleBlock::capacity; ++i) {
+            const TriangleSides sides = block.sides(i);
+            const Vec3d normal = sides.normal();
+            const double sine = std::sqrt(dot(normal, normal));
+            sizes[i] = sides.size();
+            extents[i] = extentOf(block.corner(0, i), block.corner(1, i), block.corner(2, i));
+            excess[i] = sine - roundingOf(extents[i], sizes[i]);
+            normals[0][i] = normal.x / sine;
+            normals[1][i] = normal.y / sine;
+            normals[2][i] = normal.z / sine;
+        }
+    }
+
+    [[nodiscard]] bool isPlain(std::size_t i) const
+    {
+        return TriangleSides::isHandy(sizes[i]) && extents[i] < farthest && excess[i] > 0.0;
+    }
+    [[nodiscard]] Vec3d normal(std::size_t i) const { return {normals[0][i], normals[1][i], normals[2][i]}; }
+};
+
+/// The normal of one of which more needs to be said; (0,0,0) where it cannot be drawn.
+Vec3d normalIfFinite(const TriangleBlock& block, std::size_t i)
 {
-    const std::size_t vertices = soup.positions.size();
-    if (corners[0] >= vertices || corners[1] >= vertices || corners[2] >= vertices)
-        return {};
-    const Vec3d& a = soup.positions[corners[0]];
-    const Vec3d& b = soup.positions[corners[1]];
-    const Vec3d& c = soup.positions[corners[2]];
+    const Vec3d a = block.corner(0, i);
+    const Vec3d b = block.corner(1, i);
+    const Vec3d c = block.corner(2, i);
     return isFinite(a) && isFinite(b) && isFinite(c) ? faceNormal(a, b, c) : Vec3d();
 }
 
@@ -155,18 +188,22 @@ std::optional<TriangleList> plainTriangles(PolygonSoup& soup, int threads)
     TriangleList list;
     list.faceNormals.resize(soup.faceCount());
     std::atomic<bool> isPlain = true;
-    inRanges(threads, soup.faceCount(), facesPerRange, [&](std::size_t, std::size_t first, std::size_t last) {
-        for (std::size_t face = first; face < last && isPlain; ++face) {
-            list.faceNormals[face] = plainNormal(soup, &soup.corners[3 * face]);
-            if (list.faceNormals[face] == Vec3d())
+    const auto vertexAt = [&](std::size_t face, std::size_t k) { return soup.corners[3 * face + k]; };
+    inBlocks(threads, soup.positions, soup.faceCount(), vertexAt, [&](const TriangleBlock& block) {
+        if (!isPlain)
+            return;
+        const NormalBlock found(block);
+        for (std::size_t i = 0; i < block.count; ++i) {
+            list.faceNormals[block.first + i] = found.isPlain(i) ? found.normal(i) : normalIfFinite(block, i);
+            if (list.faceNormals[block.first + i] == Vec3d())
                 isPlain = false;
         }
     });
     if (!isPlain)
         return std::nullopt;
     list.normalOfVertex = soup.normalOfVertex;
-    list.vertices = inThrees(soup.corners);
-    list.normals = inThrees(soup.cornerNormals);
+    list.vertices = inThrees(soup.corners, threads);
+    list.normals = inThrees(soup.cornerNormals, threads);
     return list;
 }
 
@@ -187,27 +224,20 @@ Result<TriangleList> sortedTriangles(const PolygonSoup& soup, ReadContext& conte
 
 Vec3d faceNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c)
 {
-    const Vec3d ab = b - a;
-    const Vec3d ac = c - a;
-    const Vec3d bc = c - b;
-    const double size = std::max({largest(ab), largest(ac), largest(bc)});
+    TriangleSides sides(a, b, c);
+    double size = sides.size();
+    double extent = extentOf(a, b, c);
     if (!(size > 0.0))
         return {};
-    // Divided by their size first: squares of 1e-200 would vanish. The two shorter edges meet at the widest angle,
-    // where the cross product is best conditioned; all three pairs turn the same way.
-    const Vec3d u = ab / size;
-    const Vec3d w = ac / size;
-    const Vec3d t = bc / size;
-    const double uu = dot(u, u);
-    const double ww = dot(w, w);
-    const double tt = dot(t, t);
-    const Vec3d normal = ww >= uu && ww >= tt ? cross(u, t) : (tt >= uu ? cross(u, w) : cross(w, t));
-    // Each coordinate is known to half a unit in its last place: the cross product of edges about as long as 1 is known
-    // to this much.
-    const double rounding =
-        4.0 * std::numeric_limits<double>::epsilon() * std::max({largest(a), largest(b), largest(c)}) / size;
+    if (!TriangleSides::isHandy(size)) { // squares of 1e-200 would vanish
+        extent /= size;
+        for (Vec3d* side : {&sides.ab, &sides.ac, &sides.bc})
+            *side = *side / size;
+        size = 1.0;
+    }
+    const Vec3d normal = sides.normal();
     const double sine = std::sqrt(dot(normal, normal));
-    return sine > rounding ? normalized(normal) : Vec3d();
+    return sine > roundingOf(extent, size) ? normal / sine : Vec3d();
 }
 
 Result<TriangleList> trianglesOf(PolygonSoup& soup, ReadContext& context, MeshReport& report)

@@ -6,6 +6,7 @@
 #include "core/geometry/polygon_soup.h"
 #include "core/geometry/readers.h"
 #include "core/geometry/report.h"
+#include "core/geometry/unfilled.h"
 
 namespace reflectance {
 
@@ -13,13 +14,9 @@ struct TriangleList {
     std::vector<Mesh::Triangle> vertices; ///< into PolygonSoup::positions; every one finite
     std::vector<Mesh::Triangle> normals;  ///< into PolygonSoup::normals or `none`; empty where the file names none
     bool normalOfVertex = false;          ///< every corner's normal has its vertex's number: `normals` stays empty
-    std::vector<Vec3d> faceNormals;       ///< unit, by the winding
+    UnfilledVector<Vec3d> faceNormals;    ///< unit, by the winding
 
     [[nodiscard]] bool namesNormals() const { return normalOfVertex || !normals.empty(); }
-    [[nodiscard]] const Mesh::Triangle& normalsOf(std::size_t triangle) const
-    {
-        return normalOfVertex ? vertices[triangle] : normals[triangle];
-    }
 };
 
 /// Unit normal by the winding, computed from the file's own coordinates so that a tiny triangle keeps its direction;

@@ -1,26 +1,57 @@
 #include "core/geometry/vertex_smoother.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace reflectance {
 namespace {
 
-/// Angle at a between the directions to b and c. atan2 keeps its precision where acos loses half (hazard H16).
-double angleAt(const Vec3d& a, const Vec3d& b, const Vec3d& c)
+/// Corners around a vertex up to which comparing every one with every other is quickest.
+constexpr std::size_t few = 16;
+
+/// The weights of a fan add up to a few radians; a sum of 1e-9 is what rounding left of a cancellation.
+bool hasDirection(const Vec3d& sum)
 {
-    Vec3d u = b - a;
-    Vec3d w = c - a;
-    const auto isHandy = [](double squared) { return squared > 1e-70 && squared < 1e70; };
-    if (!isHandy(dot(u, u)) || !isHandy(dot(w, w))) { // products of four lengths would overflow or vanish
-        u = normalized(u);
-        w = normalized(w);
-    }
-    const Vec3d n = cross(u, w);
-    return std::atan2(std::sqrt(dot(n, n)), dot(u, w));
+    return dot(sum, sum) > 1e-18;
 }
 
 } // namespace
+
+VertexSmoother::Spokes VertexSmoother::spokesOf(Index corner) const
+{
+    const Mesh::Triangle& v = mesh_.list.vertices[corner / 3];
+    const Index place = corner % 3;
+    return {mesh_.vertexOf[v[place == 2 ? 0 : place + 1]], mesh_.vertexOf[v[place == 0 ? 2 : place - 1]]};
+}
+
+std::optional<Vec3d> VertexSmoother::oneNormal(std::span<const Index> around) const
+{
+    if (around.empty() || around.size() > few)
+        return std::nullopt;
+    std::array<Spokes, few> spokes;
+    Vec3d sum;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        spokes[i] = spokesOf(around[i]);
+        sum += weighted(around[i]);
+    }
+    // From the first corner on over edges that are no crease, one way around and then the other, until all were met.
+    unsigned left = (1U << around.size()) - 2U;
+    const auto walk = [&](Index Spokes::*ahead, Index Spokes::*behind) {
+        std::size_t at = 0;
+        for (std::size_t i = 1; left != 0 && i < around.size(); ++i) {
+            const bool isNext = (left >> i & 1U) != 0 && spokes[i].*behind == spokes[at].*ahead;
+            if (!isNext || !isSmooth(around[at], around[i]))
+                continue;
+            left &= ~(1U << i);
+            at = i;
+            i = 0;
+        }
+    };
+    walk(&Spokes::next, &Spokes::previous);
+    walk(&Spokes::previous, &Spokes::next);
+    return left == 0 && hasDirection(sum) ? std::optional(normalized(sum)) : std::nullopt;
+}
 
 void VertexSmoother::smooth(std::span<const Index> around, std::vector<Mesh::Triangle>& corners,
                             std::vector<Vec3d>& fresh)
@@ -29,7 +60,6 @@ void VertexSmoother::smooth(std::span<const Index> around, std::vector<Mesh::Tri
     if (std::none_of(around.begin(), around.end(), [&](Index c) { return normalAt(c) == PolygonSoup::none; }))
         return;
     gather(around);
-    constexpr std::size_t few = 16;
     if (around.size() <= few)
         joinFans(around);
     else
@@ -46,10 +76,8 @@ void VertexSmoother::gather(std::span<const Index> around)
     parent_.resize(around.size());
     std::iota(parent_.begin(), parent_.end(), Index{0});
     spokes_.clear();
-    for (const Index corner : around) {
-        const Mesh::Triangle& v = list_.vertices[corner / 3];
-        spokes_.push_back({vertexOf_[v[(corner + 1) % 3]], vertexOf_[v[(corner + 2) % 3]]});
-    }
+    for (const Index corner : around)
+        spokes_.push_back(spokesOf(corner));
 }
 
 /// Joins corners that share a spoke, unless the surface folds there by more than the crease angle: every corner with
@@ -86,12 +114,8 @@ void VertexSmoother::joinMany(std::span<const Index> around)
 void VertexSmoother::addUp(std::span<const Index> around)
 {
     sums_.assign(around.size(), Vec3d());
-    for (Index i = 0; i < around.size(); ++i) {
-        const Mesh::Triangle& v = list_.vertices[around[i] / 3];
-        const Index k = around[i] % 3;
-        const double angle = angleAt(positions_[v[k]], positions_[v[(k + 1) % 3]], positions_[v[(k + 2) % 3]]);
-        sums_[root(i)] += angle * list_.faceNormals[around[i] / 3];
-    }
+    for (Index i = 0; i < around.size(); ++i)
+        sums_[root(i)] += weighted(around[i]);
 }
 
 VertexSmoother::Index VertexSmoother::normalOf(Index i, Index corner, std::vector<Vec3d>& fresh)
@@ -100,13 +124,12 @@ VertexSmoother::Index VertexSmoother::normalOf(Index i, Index corner, std::vecto
     if (known != PolygonSoup::none)
         return known;
     const auto added = isFresh | static_cast<Index>(fresh.size());
-    // The weights of a fan add up to a few radians; a sum of 1e-9 is what rounding left of a cancellation.
     const Vec3d& sum = sums_[root(i)];
-    if (dot(sum, sum) > 1e-18) {
+    if (hasDirection(sum)) {
         fresh.push_back(normalized(sum));
         known = added;
     } else {
-        fresh.push_back(list_.faceNormals[corner / 3]);
+        fresh.push_back(mesh_.list.faceNormals[corner / 3]);
     }
     return added;
 }

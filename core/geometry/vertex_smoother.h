@@ -3,9 +3,18 @@
 
 #include "core/geometry/triangle_list.h"
 
+#include <optional>
 #include <span>
 
 namespace reflectance {
+
+/// What smoothing knows of the whole mesh. All must outlive the smoother.
+struct SmoothedMesh {
+    const TriangleList& list;
+    const std::vector<PolygonSoup::Index>& vertexOf;     ///< gives vertices at the same place one number
+    const UnfilledVector<std::array<double, 3>>& angles; ///< of every triangle's corners
+    double creaseCosine; ///< faces whose normals' product is less have a crease between them
+};
 
 /// Smooths one vertex at a time; its buffers are kept between vertices.
 class VertexSmoother {
@@ -15,15 +24,13 @@ public:
     /// Marks indices into `fresh`.
     static constexpr Index isFresh = Index{1} << 31U;
 
-    /// All must outlive the smoother. `vertexOf` gives vertices at the same place one number.
-    VertexSmoother(const std::vector<Vec3d>& positions, const TriangleList& list, const std::vector<Index>& vertexOf,
-                   double creaseCosine)
-        : positions_(positions), list_(list), vertexOf_(vertexOf), creaseCosine_(creaseCosine)
-    {
-    }
+    explicit VertexSmoother(const SmoothedMesh& mesh) : mesh_(mesh) {}
 
-    /// Gives those of `around` (all corners at one vertex, as 3 * triangle + place) that have no normal one: its place
-    /// in `fresh`, marked, goes into `corners`.
+    /// The one normal of all corners of a vertex (`around`, as 3 * triangle + place), where that is soon seen, as of nearly
+    /// all vertices: few corners that are one fan without a crease. It is what `smooth` would give, to the bit.
+    [[nodiscard]] std::optional<Vec3d> oneNormal(std::span<const Index> around) const;
+
+    /// Gives those of `around` that have no normal one: its place in `fresh`, marked, goes into `corners`.
     void smooth(std::span<const Index> around, std::vector<Mesh::Triangle>& corners, std::vector<Vec3d>& fresh);
 
 private:
@@ -43,9 +50,14 @@ private:
     void addUp(std::span<const Index> around);
     Index normalOf(Index i, Index corner, std::vector<Vec3d>& fresh);
 
+    [[nodiscard]] Spokes spokesOf(Index corner) const;
     [[nodiscard]] bool isSmooth(Index cornerA, Index cornerB) const
     {
-        return dot(list_.faceNormals[cornerA / 3], list_.faceNormals[cornerB / 3]) >= creaseCosine_;
+        return dot(mesh_.list.faceNormals[cornerA / 3], mesh_.list.faceNormals[cornerB / 3]) >= mesh_.creaseCosine;
+    }
+    [[nodiscard]] Vec3d weighted(Index corner) const
+    {
+        return mesh_.angles[corner / 3][corner % 3] * mesh_.list.faceNormals[corner / 3];
     }
 
     Index root(Index i)
@@ -55,10 +67,7 @@ private:
         return i;
     }
 
-    const std::vector<Vec3d>& positions_;
-    const TriangleList& list_;
-    const std::vector<Index>& vertexOf_;
-    double creaseCosine_;
+    const SmoothedMesh& mesh_;
     std::vector<Spokes> spokes_;
     std::vector<Spoke> sorted_;
     std::vector<Index> parent_;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 #include <gmock/gmock.h>
+#include <span>
 
 namespace reflectance::testing {
 namespace {
@@ -107,6 +108,66 @@ TEST(Ply, KeepsWhatACutFileStillHolds)
     EXPECT_EQ(cut.report.triangles, 8U);
     ASSERT_EQ(cut.report.warnings.size(), 3U);
     EXPECT_THAT(cut.report.warnings[1].text, HasSubstr("ends before"));
+}
+
+/// The sphere as binary PLY. Plain, it is read at once; with a list of no use in every face no quick way takes it.
+std::string binarySphere(bool isPlain, const std::string& type, bool hasNormals, bool endsInQuad = false)
+{
+    const std::shared_ptr<const Mesh> sphere = loaded(sphereObj(20, 40)).mesh;
+    std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                        std::to_string(sphere->positions.size()) + "\nproperty uchar red\n";
+    for (const std::string name : {"x", "y", "z", "nx", "ny", "nz"})
+        bytes += hasNormals || name.size() == 1 ? "property " + type + " " + name + "\n" : "";
+    bytes += "element face " + std::to_string(sphere->triangles.size() + (endsInQuad ? 1 : 0)) +
+             "\nproperty list uchar int vertex_indices\n" + (isPlain ? "" : "property list uchar uchar unused\n") +
+             "end_header\n";
+    const auto appendVector = [&](const Vec3d& v) {
+        for (const double component : {v.x, v.y, v.z})
+            type == "double" ? append(bytes, component, false) : append(bytes, static_cast<float>(component), false);
+    };
+    const auto appendFace = [&](std::span<const std::uint32_t> face) {
+        append(bytes, static_cast<std::uint8_t>(face.size()), false);
+        for (const std::uint32_t v : face)
+            append(bytes, static_cast<std::int32_t>(v), false);
+        bytes += isPlain ? "" : std::string("\x02zz");
+    };
+    for (std::size_t i = 0; i < sphere->positions.size(); ++i) {
+        bytes += '\x09';
+        appendVector(sphere->positions[i]);
+        if (hasNormals)
+            appendVector(sphere->normals[i]);
+    }
+    for (const Mesh::Triangle& triangle : sphere->triangles)
+        appendFace(triangle);
+    if (endsInQuad)
+        appendFace(std::array<std::uint32_t, 4>{0, 50, 300, 200});
+    return bytes;
+}
+
+TEST(Ply, TheQuickWayGivesWhatTheLongOneGives)
+{
+    for (const char* type : {"float", "double"})
+        for (const bool hasNormals : {false, true})
+            for (const bool endsInQuad : {false, true}) {
+                const LoadedMesh quick = loaded(binarySphere(true, type, hasNormals, endsInQuad), "s.ply");
+                const LoadedMesh slow = loaded(binarySphere(false, type, hasNormals, endsInQuad), "s.ply");
+                EXPECT_EQ(quick.mesh->positions, slow.mesh->positions) << type;
+                EXPECT_EQ(quick.mesh->normals, slow.mesh->normals) << type;
+                EXPECT_EQ(quick.mesh->triangles, slow.mesh->triangles) << type;
+                EXPECT_EQ(quick.report.cornersWithFileNormal > 0, hasNormals);
+                EXPECT_TRUE(quick.report.warnings.empty() && slow.report.warnings.empty());
+                EXPECT_EQ(quick.report.fileFaces, slow.report.fileFaces);
+            }
+}
+
+TEST(Ply, AFaceThatNamesNoVertexIsDroppedByEitherWay)
+{
+    for (const bool isPlain : {true, false}) {
+        std::string bytes = binarySphere(isPlain, "float", false);
+        const std::size_t lastIndex = bytes.size() - 4 - (isPlain ? 0 : 3);
+        std::memset(bytes.data() + lastIndex, 0xff, 4); // -1
+        EXPECT_EQ(loaded(bytes, "s.ply").report.droppedFaces(), 1U) << isPlain;
+    }
 }
 
 } // namespace

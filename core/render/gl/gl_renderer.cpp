@@ -74,7 +74,7 @@ struct GlRenderer::State {
     [[nodiscard]] Result<void> see(const ViewInputs& view);
     [[nodiscard]] Result<void> shade(const ShadingInputs& inputs);
     [[nodiscard]] Result<void> develop(const Sensor& settings);
-    /// Runs the passes whose inputs changed.
+    /// Runs the passes whose inputs changed, up to the linear picture.
     [[nodiscard]] Result<void> update(const Scene& scene, const RenderSettings& settings, const GlShading& how);
 
     /// Leaves GL as a window expects it. What `done` says goes before what the driver says about it.
@@ -203,11 +203,7 @@ Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings&
         if (auto done = see(view); !done)
             return done;
     }
-    if (shaded != inputs) {
-        if (auto done = shade(inputs); !done)
-            return done;
-    }
-    return developed == scene.sensor ? Result<void>() : develop(scene.sensor);
+    return shaded == inputs ? Result<void>() : shade(inputs);
 }
 
 GlRenderer::GlRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -231,6 +227,15 @@ Result<GlRenderer> GlRenderer::create(GetProcAddress load, const std::filesystem
 }
 
 Result<void> GlRenderer::render(const Scene& scene, const RenderSettings& settings, const GlShading& how)
+{
+    auto drawn = renderLinear(scene, settings, how);
+    if (!drawn || state_->developed == scene.sensor)
+        return drawn;
+    prepareState(state_->functions->gl());
+    return state_->closed(state_->develop(scene.sensor));
+}
+
+Result<void> GlRenderer::renderLinear(const Scene& scene, const RenderSettings& settings, const GlShading& how)
 {
     CHECK_EQ(scene.mesh != nullptr, true);
     CHECK_LE(static_cast<int>(how.place), static_cast<int>(Place::Pixel));

@@ -39,6 +39,9 @@ public:
 
     /// Brings the picture up to date; only the passes whose inputs changed run.
     [[nodiscard]] Result<void> render(const Scene& scene, const RenderSettings& settings, const GlShading& how = {});
+    /// The same up to the linear picture: of who only reads that, the sensor's program need not be compiled.
+    [[nodiscard]] Result<void> renderLinear(const Scene& scene, const RenderSettings& settings,
+                                            const GlShading& how = {});
 
     [[nodiscard]] unsigned developedTexture() const; ///< RGBA8, sRGB-encoded, row 0 at the bottom: for the window
     [[nodiscard]] Image readLinear();                ///< the linear picture before the sensor

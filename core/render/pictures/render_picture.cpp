@@ -98,7 +98,7 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
     if (!renderer)
         return renderer.error();
     GlShading how{plan.place, false, plan.lobe, plan.specialised};
-    if (const auto drawn = renderer->render(scene, settings, how); !drawn)
+    if (const auto drawn = renderer->renderLinear(scene, settings, how); !drawn)
         return drawn.error();
     renderer->finish();
     rendered.firstFrameMilliseconds = millisecondsSince(start);
@@ -106,7 +106,7 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
     const auto shade = [&](bool specialised) {
         how.specialised = specialised;
         renderer->invalidateShading();
-        last = renderer->render(scene, settings, how);
+        last = renderer->renderLinear(scene, settings, how);
         renderer->finish();
     };
     timeShadings(plan, shade, rendered);
