@@ -20,7 +20,7 @@ Scene inHand(const CompareView& compare, const Scene& scene)
 
 std::optional<ProbedPoint> pointUnder(Cursor cursor, ViewSize size, const Scene& scene)
 {
-    return pointAt(*scene.mesh, scene.camera, cursor.x, cursor.y, size.width, size.height);
+    return pointAt(scene.mesh, scene.camera, cursor.x, cursor.y, size.width, size.height);
 }
 
 bool isIn(std::size_t light, const Scene& scene)

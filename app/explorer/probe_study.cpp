@@ -55,7 +55,7 @@ std::string firstFreeNumber(const std::vector<Pin>& pins)
 
 std::optional<ProbePlace> placeAt(const Scene& scene, Cursor cursor, ViewSize size)
 {
-    const auto point = pointAt(*scene.mesh, scene.camera, cursor.x, cursor.y, size.width, size.height);
+    const auto point = pointAt(scene.mesh, scene.camera, cursor.x, cursor.y, size.width, size.height);
     if (!point)
         return std::nullopt;
     return ProbePlace{scene.mesh, *point, scene.camera};
