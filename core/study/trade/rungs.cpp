@@ -68,7 +68,8 @@ constexpr Change changes[] = {
     {"nine_coefficients", nineCoefficients},
     {"coarse_surroundings", coarseSurroundings, 4},
 };
-static_assert(std::ranges::equal(changes, rungList, {}, &Change::id, [](const RungFacts& rung) { return std::string_view(rung.id); }));
+static_assert(std::ranges::equal(changes, rungList, {}, &Change::id,
+                                 [](const RungFacts& rung) { return std::string_view(rung.id); }));
 
 } // namespace
 
