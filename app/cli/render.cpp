@@ -47,7 +47,8 @@ nlohmann::ordered_json rungsReport(const Scene& scene, VariantView shown, const 
 
 nlohmann::ordered_json differenceReport(const explorer::DifferenceFigures& figures)
 {
-    return {{"identical", figures.identical}, {"rmse", figures.rmse}, {"max", figures.maxAbs}, {"pixels", figures.pixels}};
+    return {
+        {"identical", figures.identical}, {"rmse", figures.rmse}, {"max", figures.maxAbs}, {"pixels", figures.pixels}};
 }
 
 nlohmann::ordered_json report(const Options& options, const Scene& scene, const PictureRecipe& recipe,
@@ -148,8 +149,8 @@ Result<Made> make(const Options& options, const Scene& scene, const RenderSettin
         byRungs.emplace(scene, made.recipe.shown, chosen);
     const auto render = [&](const Scene& variant, int width, int height) -> Result<Image> {
         const RenderSettings size{width, height, settings.samplesPerAxis};
-        auto rendered = byRungs ? byRungs->render(variant, size)
-                                : renderPicture(variant, size, chosen, &LongWork::progress());
+        auto rendered =
+            byRungs ? byRungs->render(variant, size) : renderPicture(variant, size, chosen, &LongWork::progress());
         if (!rendered)
             return rendered.error();
         made.last = *std::move(rendered);
@@ -353,10 +354,11 @@ int run(const Options& asked)
 /// Which of two surfaces is shown, and how.
 void addVariantOptions(CLI::App& verb, Options& options)
 {
-    verb.add_option("--variant", options.variant,
-                    "of a scene with two surfaces: A (the default), B, both side by side or in a wipe, or the signed "
-                    "difference of luminance, B less A (PNG); or the name of a variant that the scene keeps, drawn with "
-                    "the rungs that it keeps (see trade --list)");
+    verb.add_option(
+        "--variant", options.variant,
+        "of a scene with two surfaces: A (the default), B, both side by side or in a wipe, or the signed "
+        "difference of luminance, B less A (PNG); or the name of a variant that the scene keeps, drawn with "
+        "the rungs that it keeps (see trade --list)");
     verb.add_option("--a", options.variantA, "NAME of a kept variant, in A's place");
     verb.add_option("--b", options.variantB, "NAME of a kept variant, in B's place");
     verb.add_option("--divider", options.divider, "of a wipe: A's share of the width")
@@ -380,9 +382,10 @@ void addRender(CLI::App& program, int& exitCode)
             "X,Y[,LIGHT] in pixels: that light (from 1; the first that is on) moves so that its highlight peaks "
             "there, R.V = 1; where the surface has none, N.L = 1")
         ->excludes(verb->get_option("--probe"));
-    verb->add_option("--edge-at", options->edgeAt,
-                     "X,Y[,LIGHT] in pixels: the number of the model that makes its highlight wide or narrow (n, alpha, m) "
-                     "becomes the one with which that light's highlight has half its height there; after --highlight-at")
+    verb->add_option(
+            "--edge-at", options->edgeAt,
+            "X,Y[,LIGHT] in pixels: the number of the model that makes its highlight wide or narrow (n, alpha, m) "
+            "becomes the one with which that light's highlight has half its height there; after --highlight-at")
         ->excludes(verb->get_option("--probe"));
     verb->add_option(
             "--backend", options->backend,

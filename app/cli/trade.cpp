@@ -184,8 +184,9 @@ void addTrade(CLI::App& program, const std::string& command, int& exitCode)
                    "answer soon: look for it on a small probe, and verify what is found on the whole picture");
     verb->add_option("--map", flags->map,
                      "instead of all: paint each pixel by the cheapest surface that is within --tolerance there (PNG)");
-    verb->add_flag("--terms", flags->terms,
-                   "instead of all: what each term of the picture buys (diffuse, specular, lights, off-diagonal K) and costs");
+    verb->add_flag(
+        "--terms", flags->terms,
+        "instead of all: what each term of the picture buys (diffuse, specular, lights, off-diagonal K) and costs");
     verb->add_option(
             "--metric", flags->metric,
             "max and rmse are linear, white 1, over the whole picture; de is the 95th percentile of dE2000 over "

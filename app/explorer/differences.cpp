@@ -59,10 +59,8 @@ void pollDifference(Session& session)
     second.measuredPerceived = perceived;
     second.measuredRegion = session.state.compare.region;
     second.work.start([a = second.linearA(scene, session.renderer), b = second.linearB(scene),
-                       exposure = std::log2(gainOf(scene.sensor)), perceived,
-                       region = session.state.compare.region](Progress& progress) {
-        return differenceOf(a, b, exposure, perceived, progress, region);
-    });
+                       exposure = std::log2(gainOf(scene.sensor)), perceived, region = session.state.compare.region](
+                          Progress& progress) { return differenceOf(a, b, exposure, perceived, progress, region); });
 }
 
 } // namespace reflectance::explorer

@@ -9,11 +9,11 @@
 namespace reflectance::explorer {
 
 struct ExplorerOptions {
-    std::string input;     ///< mesh, scene (.json) or stock mesh ("mug"); empty opens the default scene
-    std::string modelFile; ///< own model (.glsl); empty: none
-    std::string record;    ///< file that takes what happens; empty: nothing is recorded
-    std::string replay;    ///< recording to begin with; empty for none
-    int tour = 0;          ///< the step of the tour to begin with, from 1; 0 for none
+    std::string input;         ///< mesh, scene (.json) or stock mesh ("mug"); empty opens the default scene
+    std::string modelFile;     ///< own model (.glsl); empty: none
+    std::string record;        ///< file that takes what happens; empty: nothing is recorded
+    std::string replay;        ///< recording to begin with; empty for none
+    int tour = 0;              ///< the step of the tour to begin with, from 1; 0 for none
     bool firstPicture = false; ///< say what the first picture took, and close the window
     std::optional<std::string> environment; ///< latitude-longitude picture (.exr, .hdr) around the object
 };

@@ -83,9 +83,9 @@ struct Stroke {
     int light = -1;
     Camera cameraBefore;
     Light lightBefore;
-    Grip taken = Grip::Spot;     ///< Grab (grab_tool.h): what is held
-    double widthBefore = 0.0;    ///< Grab: the number that says how wide a highlight is, of a model that has one
-    double heightBefore = 0.0;   ///< Grab: of the highlight where the stroke began, of its peak
+    Grip taken = Grip::Spot;   ///< Grab (grab_tool.h): what is held
+    double widthBefore = 0.0;  ///< Grab: the number that says how wide a highlight is, of a model that has one
+    double heightBefore = 0.0; ///< Grab: of the highlight where the stroke began, of its peak
 
     [[nodiscard]] bool movesCamera() const { return kind == Kind::Orbit || kind == Kind::Pan || kind == Kind::Zoom; }
     [[nodiscard]] bool movesLight() const { return kind != Kind::None && !movesCamera(); }

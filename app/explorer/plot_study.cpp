@@ -30,8 +30,8 @@ Stand standOf(const ExplorerState& state)
 {
     if (state.probe.looks(state.scene)) {
         const auto& picked = state.probe.picked;
-        const auto point = picked ? pointIn(state.scene.pins[*picked], state.scene, {1, 1})
-                                  : std::optional(state.probe.loose->point);
+        const auto point =
+            picked ? pointIn(state.scene.pins[*picked], state.scene, {1, 1}) : std::optional(state.probe.loose->point);
         if (point)
             return {point->P, point->N};
     }

@@ -120,8 +120,7 @@ void ProbeStudy::pin(Scene& scene)
 {
     if (!loose || scene.pins.size() >= mostPins)
         return;
-    scene.pins.push_back(
-        {firstFreeNumber(scene.pins), scene.meshFile, loose->point.P, loose->point.triangle});
+    scene.pins.push_back({firstFreeNumber(scene.pins), scene.meshFile, loose->point.P, loose->point.triangle});
     loose.reset();
     picked = scene.pins.size() - 1;
     ++changes;

@@ -45,9 +45,7 @@ void readAllPixels(Session& session)
         probes.rested = session.trust.rested;
         const std::optional<Surface>& other = session.state.scene.other;
         const bool byGl = session.second.renderer && other && other->rungs.empty();
-        probes.b = probes.rested && session.state.compare.on && byGl
-                       ? session.second.renderer->readLinear()
-                       : Image();
+        probes.b = probes.rested && session.state.compare.on && byGl ? session.second.renderer->readLinear() : Image();
     }
     for (std::optional<FoundProbe>& found : study.foundPins)
         if (found)

@@ -38,10 +38,10 @@ public:
     /// The variant has no rungs any more.
     void drop();
 
-    [[nodiscard]] unsigned texture() const;      ///< 0 before the first picture
-    [[nodiscard]] bool rowsFromTop() const;      ///< of that texture
-    [[nodiscard]] bool current() const;          ///< the picture is of what update() was called for last
-    [[nodiscard]] Image linear();                ///< of the whole picture's size
+    [[nodiscard]] unsigned texture() const; ///< 0 before the first picture
+    [[nodiscard]] bool rowsFromTop() const; ///< of that texture
+    [[nodiscard]] bool current() const;     ///< the picture is of what update() was called for last
+    [[nodiscard]] Image linear();           ///< of the whole picture's size
     [[nodiscard]] std::uint64_t pictures() const { return pictures_; } ///< how many different ones were shown
     [[nodiscard]] const std::vector<SkippedRung>& withoutEffect() const { return withoutEffect_; }
 

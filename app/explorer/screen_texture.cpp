@@ -15,7 +15,8 @@ template <class Function> Function function(GetProcAddress load, const char* nam
 } // namespace
 
 ScreenTexture::ScreenTexture(ScreenTexture&& other) noexcept
-    : load_(other.load_), enlarged_(other.enlarged_), id_(std::exchange(other.id_, 0)), width_(other.width_), height_(other.height_)
+    : load_(other.load_), enlarged_(other.enlarged_), id_(std::exchange(other.id_, 0)), width_(other.width_),
+      height_(other.height_)
 {
 }
 

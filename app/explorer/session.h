@@ -5,8 +5,8 @@
 #include "app/explorer/file_loader.h"
 #include "app/explorer/measured_prices.h"
 #include "app/explorer/own_models.h"
-#include "app/explorer/probes.h"
 #include "app/explorer/pictures.h"
+#include "app/explorer/probes.h"
 #include "app/explorer/screen_texture.h"
 #include "app/explorer/second_view.h"
 #include "app/explorer/stand_in.h"
@@ -67,7 +67,7 @@ struct Session {
     std::string sceneFile;                    ///< the scene file in use; empty where there is none
     std::optional<std::string> windowPicture; ///< where to save the frame being drawn; empty chooses a name
     std::optional<GlRenderer> bench; ///< draws for studies, so that the picture's own buffers stay; made when needed
-    Trades trades{Window::loader(), Window::wake};     ///< after `bench`, which it draws with
+    Trades trades{Window::loader(), Window::wake}; ///< after `bench`, which it draws with
     bool quit = false;
     bool quitsAfterFirst = false; ///< picture, and says what that took
 

@@ -55,29 +55,26 @@ StartClock::StartClock()
 void StartClock::note(const char* stage)
 {
     if (!done())
-        stages_.push_back({stage, std::chrono::duration<double>(Clock::now() - start_).count(),
-                           static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC)});
+        stages_.emplace_back(stage, std::chrono::duration<double>(Clock::now() - start_).count());
 }
 
 bool StartClock::done() const
 {
-    return !stages_.empty() && stages_.back().name == last;
+    return !stages_.empty() && stages_.back().first == last;
 }
 
 std::string StartClock::sentence() const
 {
-    return done() ? "First picture after " + general(stages_.back().end, 2) + " s." : std::string();
+    return done() ? "First picture after " + general(stages_.back().second, 2) + " s." : std::string();
 }
 
 std::string StartClock::report() const
 {
     std::string text = sentence() + "\n";
-    double end = 0.0, work = 0.0;
-    for (const Stage& stage : stages_) {
-        text += "  " + milliseconds(stage.end - end) + " ms (" + milliseconds(stage.work - work) +
-                " ms of processors)  " + stage.name + "\n";
-        end = stage.end;
-        work = stage.work;
+    double before = 0.0;
+    for (const auto& [stage, end] : stages_) {
+        text += "  " + milliseconds(end - before) + " ms  " + stage + "\n";
+        before = end;
     }
     return text;
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reflectance::explorer {
@@ -17,18 +18,14 @@ public:
     [[nodiscard]] bool done() const; ///< the first picture has been shown
     /// "First picture after 0.61 s."; empty before.
     [[nodiscard]] std::string sentence() const;
-    /// The sentence, and a line for each stage with its milliseconds, and those of all processors: where other programs work, too,
-    /// these tell more.
+    /// The sentence, and a line for each stage with its milliseconds.
     [[nodiscard]] std::string report() const;
 
 private:
     using Clock = std::chrono::steady_clock;
-    Clock::time_point start_; ///< of the process, to a hundredth of a second, where the system tells; else of this clock
-    struct Stage {
-        const char* name;
-        double end, work; ///< seconds from the start to its end, and of processors
-    };
-    std::vector<Stage> stages_;
+    Clock::time_point
+        start_; ///< of the process, to a hundredth of a second, where the system tells; else of this clock
+    std::vector<std::pair<const char*, double>> stages_; ///< and seconds from the start to its end
 };
 
 } // namespace reflectance::explorer

@@ -11,8 +11,8 @@
 #include "app/explorer/history.h"
 #include "app/explorer/lab_study.h"
 #include "app/explorer/object_price.h"
-#include "app/explorer/probe_study.h"
 #include "app/explorer/plot_study.h"
+#include "app/explorer/probe_study.h"
 #include "app/explorer/sensor_study.h"
 #include "app/explorer/stand_in.h"
 #include "app/explorer/surface_shelf.h"
@@ -140,7 +140,7 @@ struct ExplorerState {
     // What the status line reports.
     double frameMilliseconds = 0.0;
     StandInFacts standIn;
-    std::string firstPicture; ///< "First picture after 0.61 s."
+    std::string firstPicture;        ///< "First picture after 0.61 s."
     std::string renderer;            ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::vector<PriceTag> priceTags; ///< of the current scene; empty while being measured
     bool measuringPrices = false;
@@ -170,7 +170,7 @@ struct ExplorerState {
     // Between the panels and the frame loop.
     PanelMemory panels;
     bool takingPicture = false; ///< this frame is kept as the picture of a plot: no button in it
-    bool drawSoon = false; ///< a panel waits for time to pass (tooltip, text cursor): draw again within 0.1 s
+    bool drawSoon = false;      ///< a panel waits for time to pass (tooltip, text cursor): draw again within 0.1 s
 };
 
 /// The earlier session that is offered now: the newest that has not been dismissed; null if there is none.

@@ -26,9 +26,9 @@ struct WindowState {
     bool happened = false;
     bool arrowsForPicture = false; ///< arrow keys are ours, as long as none of Dear ImGui's controls has the keyboard
     bool shown = false;
-    float chosenScale = 0.0F; ///< 0: the monitor's
-    float fontScale = 0.0F;   ///< the scale that the fonts were made for
-    float shownScale = 0.0F;  ///< the scale that the theme was made for; 0 before the first frame
+    float chosenScale = 0.0F;           ///< 0: the monitor's
+    float fontScale = 0.0F;             ///< the scale that the fonts were made for
+    float shownScale = 0.0F;            ///< the scale that the theme was made for; 0 before the first frame
     std::unique_ptr<ImFontAtlas> fonts; ///< the context's
 
     WindowState() = default;

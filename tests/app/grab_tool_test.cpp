@@ -136,7 +136,8 @@ TEST(GrabTool, AnEdgeFollowsTheHandWhateverItsNumberIsCalled)
         ASSERT_EQ(stroke.taken, Grip::Edge) << model;
         const Cursor to{edge.x + 20.0, edge.y};
         ASSERT_TRUE(follow(stroke, size, to, state.compare, state.scene));
-        EXPECT_NEAR(edgeOf(state).x, to.x, 1.5) << model; // the search steps by half a pixel, the edge was taken within one
+        EXPECT_NEAR(edgeOf(state).x, to.x, 1.5)
+            << model; // the search steps by half a pixel, the edge was taken within one
         EXPECT_THAT(nameOf({Grip::Edge, 0, 0.0}, state.compare, state.scene), HasSubstr(std::string(", ") + number));
         const double wide = state.scene.surface.values[number].front();
         press({"Up", false, true}, state);

@@ -73,8 +73,7 @@ TEST(ProbeStudy, PinsStayOnTheirPointWhenTheCameraMoves)
     const auto met = pointAt(*state.scene.mesh, state.scene.camera, after.x, after.y, 320, 200);
     ASSERT_TRUE(met);
     EXPECT_LE(length(met->P - P), 1e-12) << "the picture shows the pin where it lies"; // a projection and its inverse
-    EXPECT_EQ(pinAt(state.scene, {320, 200}, {after.x + 3.0, after.y}, 5.0),
-              std::optional<std::size_t>(0));
+    EXPECT_EQ(pinAt(state.scene, {320, 200}, {after.x + 3.0, after.y}, 5.0), std::optional<std::size_t>(0));
     EXPECT_FALSE(pinAt(state.scene, {320, 200}, {after.x + 6.0, after.y}, 5.0));
 }
 
@@ -145,7 +144,8 @@ TEST(ProbeStudy, PinsAreSavedWithTheSceneAndLookTheSameAfterwards)
     EXPECT_EQ(restored.probe.found()->a.value, before.value);
     EXPECT_EQ(listed(restored.probe, restored.scene).at(0).name, "rim");
     // What a probe of the same pixel finds, but for the roundings of a point that is projected and met again.
-    const auto met = pointAt(*state.scene.mesh, state.scene.camera, before.point.x, before.point.y, size.width, size.height);
+    const auto met =
+        pointAt(*state.scene.mesh, state.scene.camera, before.point.x, before.point.y, size.width, size.height);
     EXPECT_LE(length(probeAt(state.scene, *met).value - before.value), 1e-12);
 }
 

@@ -17,25 +17,22 @@ namespace explorer {
 
 namespace {
 
-// Latin with accents, Greek and Cyrillic (file names), punctuation, super- and subscripts, arrows, signs, shapes.
-constexpr ImWchar glyphRanges[] = {0x0020, 0x017F, 0x0370, 0x04FF, 0x2000, 0x209F, 0x2190, 0x21FF,
-                                   0x2200, 0x22FF, 0x25A0, 0x25FF, 0x2600, 0x27BF, 0};
-// Formulas: every glyph costs time and memory at the start.
-constexpr ImWchar formulaRanges[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2000, 0x209F, 0x2190, 0x22FF, 0};
-
 struct FaceDescription {
     std::string_view file;
     float size; ///< points
-    const ImWchar* glyphs;
 };
 
 constexpr std::array<FaceDescription, 5> faces = {{
-    {"regular", 14.0F, glyphRanges},
-    {"strong", 14.0F, glyphRanges},
-    {"regular", 12.0F, glyphRanges},
-    {"italic", 15.0F, formulaRanges},
-    {"italic", 11.0F, formulaRanges},
+    {"regular", 14.0F},
+    {"strong", 14.0F},
+    {"regular", 12.0F},
+    {"italic", 15.0F},
+    {"italic", 11.0F},
 }};
+
+// Latin with accents, Greek and Cyrillic (file names), punctuation, super- and subscripts, arrows, signs, shapes.
+constexpr ImWchar glyphRanges[] = {0x0020, 0x017F, 0x0370, 0x04FF, 0x2000, 0x209F, 0x2190, 0x21FF,
+                                   0x2200, 0x22FF, 0x25A0, 0x25FF, 0x2600, 0x27BF, 0};
 
 std::string_view bytesOf(std::string_view name)
 {
@@ -87,14 +84,13 @@ void loadFonts(ImFontAtlas& atlas, float scale)
     atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
     atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
     atlas.TexGlyphPadding = 2;
-    atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight; // rows that stay empty would be cleared and uploaded, too
     for (const FaceDescription& description : faces) {
         const std::string_view bytes = bytesOf(description.file);
         ImFontConfig config;
         config.FontDataOwnedByAtlas = false;
         // The atlas only reads the bytes; its interface predates const.
         atlas.AddFontFromMemoryTTF(const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()),
-                                   std::round(description.size * scale), &config, description.glyphs);
+                                   std::round(description.size * scale), &config, glyphRanges);
     }
     atlas.Build();
     unsigned char* pixels = nullptr; // as the back end takes them

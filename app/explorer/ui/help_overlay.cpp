@@ -66,8 +66,9 @@ void drawHelp(ExplorerState& state)
                      ImGuiWindowFlags_NoSavedSettings);
     drawTable();
     ImGui::Dummy({0, points(4)});
-    remark(std::string("Vectors: N normal, L to the light, V to the viewer, R = L mirrored about N. Typeface: Inter, SIL Open Font "
-           "License. ") +
+    remark(std::string("Vectors: N normal, L to the light, V to the viewer, R = L mirrored about N. Typeface: Inter, "
+                       "SIL Open Font "
+                       "License. ") +
            state.firstPicture);
     ImGui::End();
     ImGui::PopStyleColor();

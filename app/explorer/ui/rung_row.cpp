@@ -20,9 +20,10 @@ std::string about(const RungFacts& rung)
 
 std::string menuTooltip(const ExplorerState& state, const Surface& surface)
 {
-    std::string text = "How this surface's picture is made: an arithmetic and what is given up, kept with the variant. Compare A in "
-                       "double with B in glsl, and the difference is the error of the precision. The badge, the lens and "
-                       "the prices speak of the picture without rungs.";
+    std::string text =
+        "How this surface's picture is made: an arithmetic and what is given up, kept with the variant. Compare A in "
+        "double with B in glsl, and the difference is the error of the precision. The badge, the lens and "
+        "the prices speak of the picture without rungs.";
     const bool isB = state.compare.on && state.compare.handOnB;
     for (const SkippedRung& rung : isB ? state.idleRungsB : state.idleRungsA)
         if (std::find(surface.rungs.begin(), surface.rungs.end(), rung.rung) != surface.rungs.end())

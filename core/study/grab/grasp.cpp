@@ -72,8 +72,11 @@ std::optional<Grasp> graspOf(const Wish& wish, std::size_t index, const Neighbou
     if (NL > 0.0) {
         const double fromPeak = angle(around.here), reach = wish.reach * slope(around, angle);
         if (wish.hasEdge) {
-            const auto far = [&](const ProbedPoint& p) { return spread(spotHeight(wish.scene, light, p).value_or(0.0)); };
-            const double here = far(around.here), perPixel = slope(around, far), off = std::fabs(here - spread(edgeHeight));
+            const auto far = [&](const ProbedPoint& p) {
+                return spread(spotHeight(wish.scene, light, p).value_or(0.0));
+            };
+            const double here = far(around.here), perPixel = slope(around, far),
+                         off = std::fabs(here - spread(edgeHeight));
             // A spot that is smaller than the hand is taken at its middle.
             if (fromPeak > reach && off <= wish.reach * perPixel)
                 return Grasp{Grip::Edge, index, perPixel > 0.0 ? off / perPixel : 0.0};

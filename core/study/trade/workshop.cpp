@@ -68,7 +68,7 @@ const Workshop::Seen& Workshop::seen(const RenderSettings& settings)
     if (!rays_)
         meshMilliseconds_ = millisecondsOf([&] { rays_ = makeRayScene(mesh_); });
     view.milliseconds = millisecondsOf(
-            [&] { view.samples = std::make_shared<const ViewSamples>(sampleView(*rays_, camera_, settings)); });
+        [&] { view.samples = std::make_shared<const ViewSamples>(sampleView(*rays_, camera_, settings)); });
     return view;
 }
 

@@ -96,8 +96,7 @@ TEST(SpotWidth, PutsTheEdgeUnderTheCursor)
             const double cursor = spotColumn(scene) + offset;
             const auto width = spotWidthOf(scene);
             ASSERT_TRUE(width);
-            const double value =
-                widthWithHeightAt(scene, *width, scene.lights[0], pointOn(scene, cursor), edgeHeight);
+            const double value = widthWithHeightAt(scene, *width, scene.lights[0], pointOn(scene, cursor), edgeHeight);
             scene.surface.values[one.number] = {value};
             EXPECT_NEAR(*spotHeight(scene, scene.lights[0], pointOn(scene, cursor)), edgeHeight, 1e-9);
             // The promise; the eye turns by 1/100 over the ball, and the spot's pixel is up to half a pixel beside the spot.

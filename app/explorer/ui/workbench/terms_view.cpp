@@ -77,9 +77,9 @@ void drawTermBars(ExplorerState& state)
     if (study.terms)
         drawTradeTerms(study);
     else if (!study.measuringTerms)
-        remark(
-            "A bar for each term: diffuse, specular, off-diagonal K, roughness, every light. What a term buys is how far the "
-            "picture is off without it.");
+        remark("A bar for each term: diffuse, specular, off-diagonal K, roughness, every light. What a term buys is "
+               "how far the "
+               "picture is off without it.");
 }
 
 } // namespace reflectance::explorer
