@@ -125,12 +125,26 @@ struct Made {
     std::vector<SkippedRung> withoutEffect = {};
 };
 
-/// `auto`, resolved once for all renderings of a picture; a flag that names something of GL's leaves no choice.
+/// A flag that names something of one of them leaves no choice.
+bool isFree(const Options& options, const RenderPlan& plan)
+{
+    const bool onMesh = plan.place == Place::Vertex || plan.place == Place::Face;
+    return plan.backend == Backend::Auto && !onMesh && !options.noCache && options.context == "any";
+}
+
+bool mayNeedDriver(const Options& options, const RenderPlan& plan)
+{
+    if (!isFree(options, plan))
+        return plan.backend != Backend::Cpu;
+    const auto known = readWholeFile(explorer::backendsFile().string(), mostBackendBytes);
+    return !known || !isAlwaysTheCpu(*known);
+}
+
+/// `auto`, resolved once for all renderings of a picture.
 BackendChoice choiceFor(const Options& options, const Scene& scene, const RenderSettings& settings,
                         const RenderPlan& plan)
 {
-    const bool onMesh = plan.place == Place::Vertex || plan.place == Place::Face;
-    if (plan.backend != Backend::Auto || onMesh || options.noCache || options.context != "any")
+    if (!isFree(options, plan))
         return {plan.backend, ""};
     return soonerBackend(scene, settings, plan, explorer::backendsFile(), &LongWork::progress());
 }
@@ -326,7 +340,7 @@ int run(const Options& asked)
     const auto settings = settingsFrom(options.scene);
     if (!settings)
         return refused(settings.error());
-    const std::jthread driver = plan->backend == Backend::Cpu ? std::jthread() : openDriverAhead(plan->context);
+    const std::jthread driver = mayNeedDriver(options, *plan) ? openDriverAhead(plan->context) : std::jthread();
     auto scene = sceneFrom(options.scene);
     if (!scene)
         return refused(scene.error());

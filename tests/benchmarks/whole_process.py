@@ -3,7 +3,7 @@
 
     whole_process.py REFLECTANCE MESH.obj [RUNS] [YARDSTICK COMMAND...]
 
-The yardstick is `xvfb-run -a f3d MESH --output PICTURE --resolution 1024,1024` unless another command is given; of it
+Ours takes the backend that `--backend auto` chose in the first, uncounted run. The yardstick is `xvfb-run -a f3d MESH --output PICTURE --resolution 1024,1024` unless another command is given; of it
 `xvfb-run` costs about as much as a screen that is already there would not. Prints medians of wall seconds, CPU seconds
 and the largest process's peak memory, and their ratios.
 """
@@ -31,8 +31,7 @@ def main():
     runs = int(sys.argv[3]) if len(sys.argv) > 3 else 5
     with tempfile.TemporaryDirectory() as folder:
         picture = os.path.join(folder, "picture.png")
-        ours = [program, "render", mesh, "--out", picture, "--size", "1024x1024", "--samples", "1",
-                "--backend", "gl", "--context", "osmesa"]
+        ours = [program, "render", mesh, "--out", picture, "--size", "1024x1024", "--samples", "1"]
         yardstick = sys.argv[4:] or ["xvfb-run", "-a", "f3d", mesh, "--output", picture, "--resolution", "1024,1024"]
         run(ours), run(yardstick)
         figures = [(run(ours), run(yardstick)) for _ in range(runs)]

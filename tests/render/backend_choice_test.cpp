@@ -51,6 +51,17 @@ TEST(BackendChoice, ReadsBackWhatWasWrittenAndNothingElse)
     EXPECT_EQ(timesIn(withTimes("foreign\n", one, {1.0, 2.0}), one)->cpu, 2.0); // what was there is void
 }
 
+TEST(BackendChoice, KnowsAFileThatAlwaysTakesTheCpu)
+{
+    const std::string once = withTimes("", sizeClass(1000, small, 1), {12.5, 3.25});
+    EXPECT_TRUE(isAlwaysTheCpu(once));
+    EXPECT_TRUE(isAlwaysTheCpu(withTimes(once, sizeClass(100000, small, 1), {125.0, 32.5})));
+    EXPECT_FALSE(isAlwaysTheCpu(withTimes(once, sizeClass(1000, small, 9), {1.5, 30.0})));
+    EXPECT_FALSE(isAlwaysTheCpu(""));
+    EXPECT_FALSE(isAlwaysTheCpu("of another program" + once));
+    EXPECT_FALSE(isAlwaysTheCpu(once.substr(0, once.find('\n') + 1))) << "nothing is known yet";
+}
+
 class BackendFile : public testing::Test {
 protected:
     void SetUp() override { fs::remove_all(folder_); }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <thread>
 
 namespace reflectance {
@@ -46,15 +47,16 @@ std::optional<std::string> rendererHere(ContextKind kind)
     return renderer ? std::optional(renderer->description()) : std::nullopt;
 }
 
+/// With all that a picture needs: GL's context and the way back from its memory too.
 std::optional<double> wholeTime(const Scene& scene, const RenderSettings& settings, RenderPlan plan, Backend backend,
                                 Progress* progress)
 {
     plan.backend = backend;
     plan.alsoGeneral = false;
-    const auto rendered = renderPicture(scene, settings, plan, progress);
-    if (!rendered)
+    const auto start = std::chrono::steady_clock::now();
+    if (!renderPicture(scene, settings, plan, progress))
         return std::nullopt;
-    return rendered->firstFrameMilliseconds + (plan.frames - 1) * rendered->shadingMilliseconds;
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// GL twice where that takes no time: its first picture also compiles shaders, which its driver keeps.
@@ -73,19 +75,22 @@ std::optional<BackendTimes> measured(const Scene& scene, const RenderSettings& s
     return BackendTimes{*gl, *cpu};
 }
 
-/// Four words: the class's three and the two times.
+std::optional<BackendTimes> timesOf(std::string_view glTime, std::string_view cpuTime)
+{
+    const auto gl = parseNumber(glTime);
+    const auto cpu = parseNumber(cpuTime);
+    if (!gl || !cpu || !(*gl > 0.0) || !(*cpu > 0.0))
+        return std::nullopt;
+    return BackendTimes{*gl, *cpu};
+}
+
+/// Five words: the class's three and the two times.
 std::optional<BackendTimes> timesOfLine(std::string_view line, const std::string& sizeClass)
 {
     if (!line.starts_with(sizeClass + " "))
         return std::nullopt;
     const auto words = split(line.substr(sizeClass.size() + 1), ' ');
-    if (words.size() != 2)
-        return std::nullopt;
-    const auto gl = parseNumber(words[0]);
-    const auto cpu = parseNumber(words[1]);
-    if (!gl || !cpu || !(*gl > 0.0) || !(*cpu > 0.0))
-        return std::nullopt;
-    return BackendTimes{*gl, *cpu};
+    return words.size() == 2 ? timesOf(words[0], words[1]) : std::nullopt;
 }
 
 } // namespace
@@ -115,6 +120,22 @@ std::optional<BackendTimes> timesIn(std::string_view file, const std::string& si
     return std::nullopt;
 }
 
+bool isAlwaysTheCpu(std::string_view file)
+{
+    const auto lines = split(file, '\n');
+    if (lines.empty() || lines.front() != firstLine())
+        return false;
+    bool some = false;
+    for (const std::string_view line : lines) {
+        const auto words = split(line, ' ');
+        const auto times = words.size() == 5 ? timesOf(words[3], words[4]) : std::nullopt;
+        if (times && soonerOf(*times).backend != Backend::Cpu)
+            return false;
+        some = some || times;
+    }
+    return some;
+}
+
 std::string withTimes(std::string_view file, const std::string& sizeClass, const BackendTimes& times)
 {
     const bool isOurs = file.starts_with(firstLine() + "\n");
@@ -129,7 +150,7 @@ BackendChoice soonerBackend(const Scene& scene, const RenderSettings& settings, 
         return {Backend::Auto, ""};
     const std::size_t triangles = scene.mesh->triangles.size();
     const std::string size = sizeClass(triangles, settings, plan.frames);
-    const auto known = readWholeFile(file.string(), 1U << 20U);
+    const auto known = readWholeFile(file.string(), mostBackendBytes);
     const std::string text = known ? *known : std::string();
     if (const auto times = timesIn(text, size))
         return soonerOf(*times);

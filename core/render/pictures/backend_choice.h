@@ -10,12 +10,14 @@
 
 namespace reflectance {
 
+inline constexpr std::size_t mostBackendBytes = 1U << 20U; ///< of the file in which times are kept
+
 struct BackendChoice {
     Backend backend = Backend::Auto; ///< Auto or Cpu
     std::string why;                 ///< as a clause: "measured here once: GL 92 ms, CPU 31 ms"
 };
 
-/// What both took for a whole picture, in milliseconds.
+/// What both took for a whole picture, GL's context included, in milliseconds.
 struct BackendTimes {
     double gl = 0.0, cpu = 0.0;
 };
@@ -31,6 +33,10 @@ struct BackendTimes {
 /// all of a file that another program or machine wrote.
 [[nodiscard]] std::optional<BackendTimes> timesIn(std::string_view file, const std::string& sizeClass);
 [[nodiscard]] std::string withTimes(std::string_view file, const std::string& sizeClass, const BackendTimes& times);
+
+/// Whether every picture that the file tells of was sooner done by the CPU, and there is one: then GL's driver need not be
+/// opened before it is known what is drawn.
+[[nodiscard]] bool isAlwaysTheCpu(std::string_view file);
 
 /// What the file says of pictures of this size. What it does not say yet is measured by rendering the scene with both, and
 /// written down; where a graphics card draws, the picture is too large to be tried, or the file cannot be written, it stays with
