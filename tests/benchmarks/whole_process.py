@@ -3,9 +3,10 @@
 
     whole_process.py REFLECTANCE MESH.obj [RUNS] [YARDSTICK COMMAND...]
 
-Ours takes the backend that `--backend auto` chose in the first, uncounted run. The yardstick is `xvfb-run -a f3d MESH --output PICTURE --resolution 1024,1024` unless another command is given; of it
-`xvfb-run` costs about as much as a screen that is already there would not. Prints medians of wall seconds, CPU seconds
-and the largest process's peak memory, and their ratios.
+Ours takes the backend that `--backend auto` chose in the first, uncounted run. The yardstick is
+`xvfb-run -a f3d MESH --output PICTURE --resolution 1024,1024` unless another command is given; of it `xvfb-run` costs
+about as much as a screen that is already there would not. Prints medians of wall seconds, CPU seconds and the largest
+process's peak memory, and their ratios.
 """
 import os
 import statistics
