@@ -172,14 +172,15 @@ Result<void> GlRenderer::State::shade(const ShadingInputs& inputs)
 Result<void> GlRenderer::State::develop(const Sensor& settings)
 {
     const Around now{settings, shaded->background, shaded->how.halfBuffer};
-    const bool keepsAround = around == now;
+    const bool isPlain = !shaded->requirements.environmentBackground;
+    const bool keepsAround = isPlain && around == now;
     developed.reset();
     around.reset();
     if (auto drawn = sensor.draw(shading.linear(), settings, keepsAround ? Pixels::Covered : Pixels::All); !drawn)
         return drawn;
     ++work.developments;
     developed = settings;
-    if (!shaded->requirements.environmentBackground)
+    if (isPlain)
         around = now;
     return {};
 }
