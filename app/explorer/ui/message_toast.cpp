@@ -9,7 +9,7 @@ namespace reflectance::explorer {
 
 void drawMessage(ExplorerState& state, ImVec2 bottomLeft, float width)
 {
-    if (!state.message)
+    if (!state.message || state.takingPicture) // it would stand in the picture
         return;
     const float wrap = std::min(width - points(48), points(640));
     const ImU32 mark = state.message->isError ? palette::error : palette::accent;

@@ -130,6 +130,22 @@ TEST(Bars, DrawMessagesAndLoadingAndHelpTogether)
     EXPECT_TRUE(state.showHelp && state.showFileBrowser && state.message);
 }
 
+TEST(Bars, KeepMessagesOutOfThePictureOfAPlot)
+{
+    const auto windows = [](bool hasMessage, bool takingPicture) {
+        Stage stage;
+        ExplorerState state = stateFor(catalogue().front());
+        if (hasMessage)
+            state.message = Message{"Saved: plot.png", false};
+        state.takingPicture = takingPicture;
+        for (int i = 0; i < 3; ++i)
+            stage.frame([&] { drawIn({1280.0F, 26.0F}, [&] { drawStatusLine(state); }); });
+        return ImGui::GetIO().MetricsActiveWindows;
+    };
+    EXPECT_EQ(windows(true, true), windows(false, false));
+    EXPECT_GT(windows(true, false), windows(false, false)) << "the planted fault";
+}
+
 /// The middle of the first control that the mouse meets, row by row; {0, 0} where there is none.
 ImVec2 firstControl(Stage& stage, ImVec2 from, ImVec2 to, const Stage::Draw& draw)
 {
