@@ -54,18 +54,27 @@ double brightestOf(const OracleCase& c)
     return std::max({std::fabs(c.I.x), std::fabs(c.I.y), std::fabs(c.I.z)});
 }
 
+Vec3d largerOf(const Vec3d& a, const Vec3d& b)
+{
+    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
 Vec3d rounded(const Three& t)
 {
     return {double(t[0]), double(t[1]), double(t[2])};
 }
 
-/// What input i adds to OracleAnswer::sensitivity.
-Vec3d sensitivityTo(std::size_t i, const OracleCase& c, const Inputs& inputs, const Three& truth, double eps)
+/// The farthest that an input is moved, in unit roundoffs.
+constexpr double farthest = 16.0;
+
+/// What input i adds to OracleAnswer::sensitivity when it is moved by `reach` unit roundoffs.
+Vec3d sensitivityTo(std::size_t i, const OracleCase& c, const Inputs& inputs, const Three& truth, double eps,
+                    double reach = farthest)
 {
     const auto value = formulaOf(c.model).value;
-    const double move = 16.0 * eps;
+    const double move = farthest * eps;
     Inputs moved = inputs;
-    const Real step = stepOf(inputs, i, move);
+    const Real step = stepOf(inputs, i, reach * eps);
     moved[i] = inputs[i] + step;
     const Three above = value(moved);
     moved[i] = inputs[i] - step;
@@ -133,11 +142,18 @@ double worstRatio(double worst, const OracleCase& c, const Vec3d& got, bool isDo
     const Inputs inputs = inputsOf(c);
     const Three truth = formulaOf(c.model).value(inputs);
     OracleAnswer answer = answerFrom(c, inputs, truth);
+    const double eps = isDouble ? 0x1p-53 : 0x1p-24;
     double ratio = ratioToBound(c, answer, got, isDouble);
-    for (std::size_t i = 0; i < inputs.size() && !(ratio <= worst); ++i) {
-        answer.sensitivity += sensitivityTo(i, c, inputs, truth, isDouble ? 0x1p-53 : 0x1p-24);
-        ratio = ratioToBound(c, answer, got, isDouble);
-    }
+    std::vector<Vec3d> shares(inputs.size());
+    // Nearer than the farthest as well: a light's disc of one roundoff, or the peak of a highlight whose half vector is the
+    // rest of two opposite directions, lies between.
+    for (const double reach : {farthest, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25})
+        for (std::size_t i = 0; i < inputs.size() && !(ratio <= worst); ++i) {
+            const Vec3d share = largerOf(shares[i], sensitivityTo(i, c, inputs, truth, eps, reach));
+            answer.sensitivity += share - shares[i];
+            shares[i] = share;
+            ratio = ratioToBound(c, answer, got, isDouble);
+        }
     return std::max(worst, ratio);
 }
 

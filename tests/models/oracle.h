@@ -27,7 +27,8 @@ struct OracleAnswer {
     Vec3d remainder; ///< what that rounding left: value + remainder has 32 digits
     /// How far the value moves per unit roundoff, kappa |value|: the sum over all inputs of |change| / 16 eps, where
     /// each component of N, L and V is moved by 16 eps of the vector's length, all else by 16 eps of itself. That far
-    /// roundings can together carry a row across the rim of a light or the horizon, where values jump.
+    /// roundings can together carry a row across the rim of a light or the horizon, where values jump. worstRatio() looks
+    /// nearer as well, for what is narrower than that.
     Vec3d sensitivity;
     double height = 1.0; ///< what the model's exponential is multiplied by, but for the light
 };
