@@ -40,9 +40,14 @@ struct OracleAnswer {
 /// number times what multiplies it, the light and the highlight's height.
 [[nodiscard]] double flushed(const OracleCase& c, const OracleAnswer& truth, bool isDouble);
 
+/// True where a model's formula asks for H = (L + V) / |L + V| and L and V are opposite to within 64 roundoffs: rounding L and V
+/// turns H by more than highlights are wide, so no arithmetic of that roundoff can say on which side of one it lies.
+[[nodiscard]] bool hasNoHalfVector(const OracleCase& c, double eps);
+
 /// |got - true| / (32 (kappa + 1) eps |true| + floor), the largest of the three channels. The floor is the smallest
 /// normal number of the arithmetic times the highlight's peak: below it, lanes and GPUs flush to zero.
-/// In float, |N.L| < 4 eps cannot be told from 0: 32 eps |I| is added there.
+/// In float, |N.L| < 4 eps cannot be told from 0: 32 eps |I| is added there. Without a half vector any finite
+/// number has the ratio 0.
 [[nodiscard]] double ratioToBound(const OracleCase& c, const Vec3d& got, bool isDouble);
 /// The same with the oracle's answer at hand.
 [[nodiscard]] double ratioToBound(const OracleCase& c, const OracleAnswer& truth, const Vec3d& got, bool isDouble);

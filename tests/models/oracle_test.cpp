@@ -34,8 +34,11 @@ void holdToTheBound(const std::string& model, const std::vector<Precision>& prec
     const bool isDouble = precisions.front() == Precision::Double;
     const std::size_t rows = rowsPerModel(1000);
     std::vector<double> worst(precisions.size(), 0.0);
+    const double eps = isDouble ? 0x1p-53 : 0x1p-24;
     std::size_t bright = 0;
+    std::size_t withoutHalfVector = 0;
     for (const OracleCase& c : randomCases(model, rows)) {
+        withoutHalfVector += hasNoHalfVector(c, eps) ? 1U : 0U;
         for (std::size_t i = 0; i < precisions.size(); ++i) {
             const double before = worst[i];
             const Vec3d got = evaluated(c, precisions[i]);
@@ -45,6 +48,7 @@ void holdToTheBound(const std::string& model, const std::vector<Precision>& prec
         }
     }
     EXPECT_GT(bright, rows / 10) << "the rows are too dark to say anything";
+    EXPECT_LE(withoutHalfVector, isDouble ? 0 : rows / 50) << "too many rows that say nothing";
     for (std::size_t i = 0; i < precisions.size(); ++i) {
         EXPECT_LE(worst[i], 1.0);
         std::cout << model << ' ' << nameOf(precisions[i]) << ": worst ratio to the bound " << worst[i] << " in "
