@@ -38,7 +38,7 @@ protected:
 TEST_P(ParityGl, EveryModelStaysWithinTheBound)
 {
     for (const Model& model : catalogue()) {
-        const double worst = worstRatio(model, randomCases(model.id(), rowsPerModel(usualRows)));
+        const double worst = worstRatio(model, randomCases(model.id(), rowsPerModel(1000)));
         EXPECT_LE(worst, 1.0) << model.id();
         std::cout << model.id() << " glsl: worst ratio to the bound " << worst << '\n';
     }
