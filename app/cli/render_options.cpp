@@ -1,9 +1,24 @@
 #include "app/cli/render_options.h"
 
 #include "app/explorer/user_folders.h"
+#include "core/base/named_value.h"
 
 namespace reflectance::cli {
 namespace {
+
+/// Where the words of --shading evaluate the model; "pixel", the first, means at every sample of it.
+Place placeNamed(const std::string& shading)
+{
+    constexpr NamedValue<Place> places[] = {{"pixel", Place::Sample},
+                                            {"fragment", Place::Fragment},
+                                            {"once", Place::Pixel},
+                                            {"vertex", Place::Vertex},
+                                            {"face", Place::Face}};
+    for (const NamedValue<Place>& named : places)
+        if (named.name == shading)
+            return named.value;
+    return Place::Sample;
+}
 
 VariantView shownNamed(const std::string& variant)
 {
@@ -24,11 +39,7 @@ Result<RenderPlan> planFrom(const RenderOptions& options)
     if (!options.noCache)
         plan.programs = explorer::programsFolder();
     plan.frames = options.frames;
-    plan.place = options.shading == "vertex" ? Place::Vertex
-                 : options.shading == "face" ? Place::Face
-                 : options.shading == "once" ? Place::Pixel
-                 : options.shading == "fragment" ? Place::Fragment
-                                                 : Place::Sample;
+    plan.place = placeNamed(options.shading);
     const auto lobe = lobeFormNamed(options.lobe.empty() ? "conditioned" : options.lobe);
     if (!lobe)
         return lobe.error();

@@ -1,28 +1,12 @@
 #include "app/cli/rung_pictures.h"
 
-#include "core/reflectance/kernel_tables.h"
+#include "app/explorer/shown_picture.h"
 #include "core/study/cost/timing.h"
 #include "core/study/trade/workshop.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace reflectance::cli {
-namespace {
-
-bool isPair(VariantView shown)
-{
-    return shown != VariantView::A && shown != VariantView::B;
-}
-
-std::string wordsFor(Precision precision)
-{
-    std::string words(nameOf(precision));
-    if (precision == Precision::Simd)
-        words += std::string(" (") + lanesName() + ")";
-    return words;
-}
-
-} // namespace
 
 bool asksForRungs(const Scene& scene, VariantView shown)
 {
@@ -32,7 +16,7 @@ bool asksForRungs(const Scene& scene, VariantView shown)
 }
 
 RungPictures::RungPictures(const Scene& scene, VariantView shown, const RenderPlan& plan)
-    : scene_(scene), both_(isPair(shown)), plan_(plan)
+    : scene_(scene), both_(explorer::showsBoth(shown)), plan_(plan)
 {
     const bool onMesh = plan.place == Place::Vertex || plan.place == Place::Face;
     onGl_ = plan.backend != Backend::Cpu && !onMesh && openGl().has_value();
@@ -83,12 +67,9 @@ Result<Rendered> RungPictures::drawn(const Recipe& recipe, std::shared_ptr<const
     Rendered rendered;
     rendered.image = *std::move(image);
     rendered.backend = recipe.onGl() ? "gl (" + std::string(context_->name()) + ")" : "cpu";
-    rendered.precision = wordsFor(recipe.precision);
+    rendered.precision = nameWithLanes(recipe.precision);
     rendered.firstFrameMilliseconds = workshop.meshMilliseconds() + prepared->lookMilliseconds + first;
-    if (!times.empty()) {
-        std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-        rendered.shadingMilliseconds = times[times.size() / 2];
-    }
+    rendered.shadingMilliseconds = medianTime(std::move(times));
     return rendered;
 }
 
@@ -120,7 +101,7 @@ std::string RungPictures::backend() const
 
 std::string RungPictures::precision() const
 {
-    return wordsFor(onGl_ ? Precision::Glsl : plan_.precision);
+    return nameWithLanes(onGl_ ? Precision::Glsl : plan_.precision);
 }
 
 } // namespace reflectance::cli

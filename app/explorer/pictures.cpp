@@ -69,11 +69,6 @@ PictureRecipe recipeOf(const ExplorerState& state, const Viewport& viewport)
     return recipe;
 }
 
-bool isPair(VariantView shown)
-{
-    return shown != VariantView::A && shown != VariantView::B;
-}
-
 /// Beside a picture of GL's the CPU shades what GL saw, as in the window and in `render`.
 Result<Image> byRungs(const Scene& viewed, const Scene& variant, const RenderSettings& settings, bool pair,
                       GlRenderer& renderer)
@@ -144,7 +139,7 @@ Result<std::string> saveViewPicture(const ExplorerState& state, const Viewport& 
     const auto render = [&](const Scene& variant, int width, int height) -> Result<Image> {
         const RenderSettings settings{width, height, recipe.samplesPerAxis};
         if (!variant.surface.rungs.empty())
-            return byRungs(viewed, variant, settings, isPair(recipe.shown), renderer);
+            return byRungs(viewed, variant, settings, showsBoth(recipe.shown), renderer);
         const bool isB = recipe.shown != VariantView::A && !variant.other; // each has its own buffers
         if (const Result<void> drawn = isB ? second.renderB(variant, settings) : renderer.render(variant, settings);
             !drawn)

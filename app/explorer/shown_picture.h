@@ -16,6 +16,12 @@
 
 namespace reflectance::explorer {
 
+/// Whether both variants are in the picture.
+[[nodiscard]] inline bool showsBoth(VariantView shown)
+{
+    return shown != VariantView::A && shown != VariantView::B;
+}
+
 /// Of A's and B's pictures in a side by side of that width; what is left is the gap between them, 2 or 3 pixels.
 [[nodiscard]] int paneWidth(int wholeWidth);
 [[nodiscard]] int wholeWidth(int paneWidth); ///< the narrowest with such panes

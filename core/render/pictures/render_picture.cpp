@@ -21,14 +21,6 @@ double millisecondsSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-double median(std::vector<double> times)
-{
-    if (times.empty())
-        return 0.0;
-    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-    return times[times.size() / 2];
-}
-
 /// The medians of the shadings after the first: shade(specialised). The general path, where it is asked for, takes turns with
 /// the other, which comes last and leaves the picture.
 template <class Shade> void timeShadings(const RenderPlan& plan, Shade shade, Rendered& rendered)
@@ -47,8 +39,8 @@ template <class Shade> void timeShadings(const RenderPlan& plan, Shade shade, Re
             general.push_back(timed(false));
         asPlanned.push_back(timed(plan.specialised));
     }
-    rendered.shadingMilliseconds = median(std::move(asPlanned));
-    rendered.generalMilliseconds = median(std::move(general));
+    rendered.shadingMilliseconds = medianTime(std::move(asPlanned));
+    rendered.generalMilliseconds = medianTime(std::move(general));
 }
 
 /// Shades `plan.frames` times what was sampled once.
@@ -72,9 +64,7 @@ Result<Rendered> renderByCpu(const Scene& scene, const RenderSettings& settings,
 {
     Rendered rendered;
     rendered.backend = "cpu";
-    rendered.precision = std::string(nameOf(plan.precision));
-    if (plan.precision == Precision::Simd)
-        rendered.precision += std::string(" (") + lanesName() + ")";
+    rendered.precision = nameWithLanes(plan.precision);
     if (plan.frames == 1 && plan.place == Place::Sample) { // keeps no samples: huge pictures stay small
         const Clock::time_point start = Clock::now();
         rendered.image = renderOnCpu(scene, settings, {plan.precision, plan.lobe, plan.specialised}, progress);
@@ -136,6 +126,22 @@ Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& setting
     if (plan.backend == Backend::Gl)
         return context.error();
     return renderByCpu(scene, settings, plan, progress);
+}
+
+std::string nameWithLanes(Precision precision)
+{
+    std::string name(nameOf(precision));
+    if (precision == Precision::Simd)
+        name += std::string(" (") + lanesName() + ")";
+    return name;
+}
+
+double medianTime(std::vector<double> times)
+{
+    if (times.empty())
+        return 0.0;
+    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+    return times[times.size() / 2];
 }
 
 ContextKind contextNamed(std::string_view name)

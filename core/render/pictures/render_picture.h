@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace reflectance {
 
@@ -42,6 +43,12 @@ struct Rendered {
 /// `progress` lets another thread watch and stop the CPU renderer; the Error then says that it was stopped.
 [[nodiscard]] Result<Rendered> renderPicture(const Scene& scene, const RenderSettings& settings, const RenderPlan& plan,
                                              Progress* progress = nullptr);
+
+/// "double", "simd (avx2)".
+[[nodiscard]] std::string nameWithLanes(Precision precision);
+
+/// 0 of none.
+[[nodiscard]] double medianTime(std::vector<double> times);
 
 /// "osmesa" and "egl"; anything else is Any.
 [[nodiscard]] ContextKind contextNamed(std::string_view name);
