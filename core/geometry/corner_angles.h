@@ -9,8 +9,7 @@
 namespace reflectance {
 
 /// atan2(sine, cosine) for a sine >= 0 and a cosine that are not both zero: 0 .. pi. They need not be those of one angle,
-/// only in their ratio. Off by at most 3 units in the last place, without a branch and without a library: a processor
-/// works on several at a time.
+/// only in their ratio. Off by at most 3 units in the last place, without a branch and without a library.
 [[nodiscard]] double angleOf(double sine, double cosine);
 
 /// Radians, in the order of each triangle's corners. The sine is the length of a cross product and not what an arc cosine

@@ -16,7 +16,7 @@ enum class Face {
 /// The face at the scale that loadFonts was given.
 [[nodiscard]] ImFont* face(Face which);
 
-/// Puts the embedded faces into an atlas and draws their glyphs: some tenths of a second, on any thread, while no ImGui context is
+/// Puts the embedded faces into an atlas and draws their glyphs: on any thread, while no ImGui context is
 /// there or none of its frames runs. `scale` is 1 for a 96 dpi monitor.
 void loadFonts(ImFontAtlas& atlas, float scale);
 

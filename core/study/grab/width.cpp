@@ -1,5 +1,6 @@
 #include "core/study/grab/width.h"
 
+#include "core/math/angle.h"
 #include "core/reflectance/evaluate.h"
 #include "core/scene/only_term.h"
 #include "core/study/grab/grab.h"
@@ -9,8 +10,6 @@
 
 namespace reflectance {
 namespace {
-
-constexpr double degree = 0.017453292519943295;
 
 /// The surface's highlight, without what its formula adds to it.
 class Highlight {
@@ -51,7 +50,7 @@ double breadth(const Highlight& highlight)
     const Vec3d L{s, 0.0, s}, V{-s, 0.0, s};
     double sum = 0.0;
     for (const double tilt : {0.001, 0.01, 0.1, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 30.0}) {
-        const double angle = tilt * degree;
+        const double angle = radians(tilt);
         sum += highlight.height({std::sin(angle), 0.0, std::cos(angle)}, L, V).value_or(0.0);
     }
     return sum;
