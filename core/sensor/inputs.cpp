@@ -37,6 +37,11 @@ void setResponse(SensorInputs& inputs, const Response& response)
 
 } // namespace
 
+bool isAlikeEverywhere(const SensorInputs& inputs)
+{
+    return inputs.vignettingKind == 0 && inputs.noiseOn == 0 && inputs.dithered == 0 && inputs.marks == 0;
+}
+
 SensorInputs inputsOf(const Sensor& sensor)
 {
     SensorInputs inputs;

@@ -34,6 +34,9 @@ struct SensorInputs {
 
 [[nodiscard]] SensorInputs inputsOf(const Sensor& sensor);
 
+/// Whether equal radiance gives equal codes wherever it falls, so that one pixel's are those of all like it.
+[[nodiscard]] bool isAlikeEverywhere(const SensorInputs& inputs);
+
 /// The colour of a band: share 0 .. 1 of each channel, as code value.
 [[nodiscard]] std::array<float, 3 * falseColorBands> falseColors();
 

@@ -1,21 +1,18 @@
 // Keeps the pixels of which a sample sees something: their depth is written, and shading runs nowhere else.
-uniform sampler2D normals; // N, hit flag
+uniform usampler2D triangles; // 1 + the number of the triangle that a sample sees, 0: none
 uniform int samplesPerAxis;
-
-layout(location = 0) out vec4 nothing;
 
 void main()
 {
     ivec2 first = ivec2(gl_FragCoord.xy) * samplesPerAxis;
-    float hits = 0.0;
+    uint seen = 0u;
     ivec2 at = ivec2(0);
     do {
-        hits += texelFetch(normals, first + at, 0).w;
+        seen |= texelFetch(triangles, first + at, 0).x;
         at.x += 1;
         if (at.x == samplesPerAxis)
             at = ivec2(0, at.y + 1);
     } while (at.y < samplesPerAxis);
-    if (hits == 0.0)
+    if (seen == 0u)
         discard;
-    nothing = vec4(0.0);
 }

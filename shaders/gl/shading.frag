@@ -1,14 +1,14 @@
 // Shades the kept samples of one pixel and averages them: the lecture's sum over the lights. Linear, never clamped.
 // Loops ask at their end: a software driver runs the body of a loop that asks at its head once more, masked, and here the
 // bodies stand in each other.
-uniform sampler2D normals;   // N, hit flag
+uniform usampler2D triangles; // 1 + the number of the triangle that a sample sees, 0: none
+uniform sampler2D normals;    // N, where something is seen
 #ifdef POSITIONS
-uniform sampler2D positions; // P
+uniform sampler2D positions;  // P, the same
 vec3 positionAt(ivec2 texel) { return texelFetch(positions, texel, 0).xyz; }
 #else
 vec3 positionAt(ivec2 texel) { return vec3(0.0); } // nobody asks
 #endif
-uniform int samplesPerAxis;
 uniform int lightCount;
 uniform vec3 eye;
 uniform vec3 backgroundColor;
@@ -39,6 +39,11 @@ vec3 shadeSample(vec3 N, vec3 P)
     return sum;
 }
 
+vec3 shadeAt(ivec2 texel)
+{
+    return shadeSample(texelFetch(normals, texel, 0).xyz, positionAt(texel));
+}
+
 vec3 backgroundAt(ivec2 texel)
 {
 #ifdef ENVIRONMENT_BACKGROUND
@@ -48,6 +53,22 @@ vec3 backgroundAt(ivec2 texel)
 #endif
 }
 
+#ifdef ONE_SAMPLE
+// Where no surroundings show, only pixels that see something come here.
+void main()
+{
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+#ifdef ENVIRONMENT_BACKGROUND
+    if (texelFetch(triangles, texel, 0).x == 0u) {
+        radianceAndCoverage = vec4(backgroundAt(texel), 0.0);
+        return;
+    }
+#endif
+    radianceAndCoverage = vec4(shadeAt(texel), 1.0);
+}
+#else
+uniform int samplesPerAxis;
+
 #ifdef ONCE_PER_PIXEL
 // The middle one of the pixel's covered samples stands for all of them; from the top row, as the CPU renderer counts.
 vec3 shadeMiddle(ivec2 first, int hits)
@@ -56,24 +77,21 @@ vec3 shadeMiddle(ivec2 first, int hits)
     ivec2 middle = first;
     ivec2 at = ivec2(0, samplesPerAxis - 1);
     do {
-        if (texelFetch(normals, first + at, 0).w > 0.0 && before-- == 0)
+        if (texelFetch(triangles, first + at, 0).x != 0u && before-- == 0)
             middle = first + at;
         at.x += 1;
         if (at.x == samplesPerAxis)
             at = ivec2(0, at.y - 1);
     } while (at.y >= 0);
-    return shadeSample(texelFetch(normals, middle, 0).xyz, positionAt(middle));
+    return shadeAt(middle);
 }
 #endif
 
 #ifdef ONCE_PER_FRAGMENT
-uniform usampler2D triangles; // 1 + the number of the triangle that a sample sees
-
 // How many samples this one stands for: those that see its triangle if it is the middle one of them, else none. From the
 // top row, as the CPU renderer counts.
-float standsFor(ivec2 first, ivec2 texel)
+float standsFor(ivec2 first, ivec2 texel, uint triangle)
 {
-    uint triangle = texelFetch(triangles, texel, 0).x;
     int together = 0;
     int before = 0;
     ivec2 at = ivec2(0, samplesPerAxis - 1);
@@ -97,14 +115,14 @@ void main()
     ivec2 at = ivec2(0);
     do {
         ivec2 texel = first + at;
-        vec4 normalAndHit = texelFetch(normals, texel, 0);
-        if (normalAndHit.w > 0.0) {
+        uint triangle = texelFetch(triangles, texel, 0).x;
+        if (triangle != 0u) {
 #ifdef ONCE_PER_FRAGMENT
-            float samples = standsFor(first, texel);
+            float samples = standsFor(first, texel, triangle);
             if (samples > 0.0)
-                sum += samples * shadeSample(normalAndHit.xyz, positionAt(texel));
+                sum += samples * shadeAt(texel);
 #elif !defined(ONCE_PER_PIXEL)
-            sum += shadeSample(normalAndHit.xyz, positionAt(texel));
+            sum += shadeAt(texel);
 #endif
             hits += 1.0;
         } else {
@@ -121,3 +139,4 @@ void main()
     float samples = float(samplesPerAxis * samplesPerAxis);
     radianceAndCoverage = vec4(sum / samples, hits / samples);
 }
+#endif

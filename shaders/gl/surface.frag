@@ -1,12 +1,13 @@
 // From the triangle that a sample sees to the point on it and its normal, as core/render/cpu/surface_point.cpp does:
 // the ray is intersected with the triangle itself. The rasteriser's own interpolation is not used, for it snaps corners
-// to 1/256 of a sample, and on the slivers of a silhouette that puts P far outside the triangle.
+// to 1/256 of a sample, and on the slivers of a silhouette that puts P far outside the triangle. Runs only where a triangle
+// is seen.
 uniform usampler2D triangles;
 uniform usamplerBuffer corners; // vertex numbers, three per triangle
 uniform samplerBuffer vertices; // position and normal, a texel each
 uniform vec3 eye;
 
-layout(location = 0) out vec4 normalAndHit; // w: 1 where something was hit, else 0
+layout(location = 0) out vec4 surfaceNormal;
 layout(location = 1) out vec4 surfacePosition;
 
 vec3 unitOrZero(vec3 v)
@@ -34,12 +35,7 @@ vec2 barycentrics(vec3 fromA, vec3 ray, vec3 edge1, vec3 edge2)
 void main()
 {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    int seen = int(texelFetch(triangles, texel, 0).x);
-    normalAndHit = vec4(0.0);
-    surfacePosition = vec4(0.0);
-    if (seen == 0)
-        return;
-    int first = 3 * (seen - 1);
+    int first = 3 * (int(texelFetch(triangles, texel, 0).x) - 1);
     int a = 2 * int(texelFetch(corners, first).x);
     int b = 2 * int(texelFetch(corners, first + 1).x);
     int c = 2 * int(texelFetch(corners, first + 2).x);
@@ -53,6 +49,6 @@ void main()
                         uv.y * texelFetch(vertices, c + 1).xyz);
     if (N == vec3(0.0))
         N = unitOrZero(geometric);
-    normalAndHit = vec4(dot(geometric, ray) > 0.0 ? -N : N, 1.0);
+    surfaceNormal = vec4(dot(geometric, ray) > 0.0 ? -N : N, 0.0);
     surfacePosition = vec4(A + uv.x * edge1 + uv.y * edge2, 0.0);
 }

@@ -38,7 +38,7 @@ struct EvaluatePass::Grid {
 };
 
 EvaluatePass::EvaluatePass(ProgramLinker& linker)
-    : gl_(&linker.gl()), linker_(&linker), noVertices_(*gl_),
+    : gl_(&linker.gl()), linker_(&linker), fullScreen_(*gl_),
       result_(*gl_, {GL_RGBA32F}, WithDepth::No), inputs_{GlTexture(*gl_), GlTexture(*gl_), GlTexture(*gl_),
                                                           GlTexture(*gl_)},
       table_(*gl_)
@@ -68,8 +68,7 @@ void EvaluatePass::drawChunk(const GlProgram& program, Grid& grid, std::vector<V
     }
     result_.bind();
     gl_->Viewport(0, 0, gridWidth, height);
-    gl_->BindVertexArray(noVertices_.id());
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    fullScreen_.draw();
     grid.values.resize(floats);
     result_.bindForReading(0);
     gl_->ReadPixels(0, 0, gridWidth, height, GL_RGBA, GL_FLOAT, grid.values.data());

@@ -3,6 +3,7 @@
 
 #include "core/reflectance/catalogue.h"
 #include "core/reflectance/observation.h"
+#include "core/render/gl/full_screen.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/gl/render_target.h"
 #include "core/render/gl/table_buffer.h"
@@ -32,7 +33,7 @@ private:
 
     const Gl* gl_;
     ProgramLinker* linker_;
-    GlVertexArray noVertices_;
+    FullScreen fullScreen_;
     RenderTarget result_;
     GlTexture inputs_[4];
     TableBuffer table_;

@@ -25,15 +25,6 @@ struct ViewInputs {
     friend bool operator==(const ViewInputs&, const ViewInputs&) = default;
 };
 
-/// What the developed picture shows where no sample sees anything, under surroundings that nobody sees.
-struct Around {
-    Sensor sensor;
-    Background background;
-    bool halfBuffer;
-
-    friend bool operator==(const Around&, const Around&) = default;
-};
-
 /// The state that the passes rely on; a window's own drawing may have left anything.
 void prepareState(const Gl& gl)
 {
@@ -83,7 +74,7 @@ struct GlRenderer::State {
         leaveState(functions->gl());
         work.tableUploads = shading.tableUploads();
         work.uploadedBytes = meshes.uploadedBytes() + shading.uploadedBytes();
-        work.targetBytes = visibility.bytes() + shading.linear().bytes() + sensor.developed().bytes();
+        work.targetBytes = visibility.bytes() + shading.bytes() + sensor.developed().bytes();
         work.programLinks = 2 + sensor.programs() + shading.programs() + (evaluation ? evaluation->programs() : 0);
         work.programsLoaded = linker->loaded();
         const auto complaint = functions->complaint();
@@ -105,7 +96,6 @@ struct GlRenderer::State {
     std::optional<ViewInputs> seen;
     std::optional<ShadingInputs> shaded;
     std::optional<Sensor> developed;
-    std::optional<Around> around; // of the view that is seen; none where the surroundings show
 };
 
 Result<void> GlRenderer::State::fits(const RenderSettings& s) const
@@ -133,10 +123,9 @@ Result<void> GlRenderer::State::fits(const RenderSettings& s) const
 void GlRenderer::State::allocate(const RenderSettings& settings)
 {
     visibility.resize(settings);
-    if (!allocated || allocated->width != settings.width || allocated->height != settings.height) {
-        shading.resize(settings);
+    shading.resize(settings, visibility);
+    if (!allocated || allocated->width != settings.width || allocated->height != settings.height)
         sensor.resize(settings);
-    }
     allocated = settings;
     seen.reset();
     ++work.allocations;
@@ -146,13 +135,13 @@ Result<void> GlRenderer::State::see(const ViewInputs& view)
 {
     seen.reset();
     shaded.reset();
-    around.reset();
     const auto mesh = meshes.buffersOf(view.mesh);
     work.meshUploads = meshes.uploads();
     if (!mesh)
         return mesh.error();
     visibility.draw(**mesh, view.camera, view.settings);
     shading.samplesChanged();
+    sensor.samplesChanged();
     ++work.visibilities;
     seen = view;
     return {};
@@ -171,17 +160,11 @@ Result<void> GlRenderer::State::shade(const ShadingInputs& inputs)
 
 Result<void> GlRenderer::State::develop(const Sensor& settings)
 {
-    const Around now{settings, shaded->background, shaded->how.halfBuffer};
-    const bool isPlain = !shaded->requirements.environmentBackground;
-    const bool keepsAround = isPlain && around == now;
     developed.reset();
-    around.reset();
-    if (auto drawn = sensor.draw(shading.linear(), settings, keepsAround ? Pixels::Covered : Pixels::All); !drawn)
+    if (auto drawn = sensor.draw(shading.linear(), settings, shading.around()); !drawn)
         return drawn;
     ++work.developments;
     developed = settings;
-    if (isPlain)
-        around = now;
     return {};
 }
 

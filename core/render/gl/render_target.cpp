@@ -53,6 +53,7 @@ RenderTarget::RenderTarget(const Gl& gl, std::vector<GLenum> formats, WithDepth 
         const GlRenderbuffer& buffer = depth_.emplace_back(gl);
         gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
         gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffer.id());
+        depthName_ = buffer.id();
     }
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
@@ -86,7 +87,8 @@ void RenderTarget::shareDepthOf(const RenderTarget& other)
 {
     const Gl& gl = framebuffer_.gl();
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, other.depth_.front().id());
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, other.depthName_);
+    depthName_ = other.depthName_;
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

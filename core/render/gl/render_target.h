@@ -18,7 +18,8 @@ public:
     /// Allocates anew; contents are undefined until drawn.
     void resize(int width, int height);
 
-    /// Tests against the depths of `other` from now on, which must live as long and be resized alike.
+    /// Tests against the depths that `other` has now, its own or shared, from now on; they must live as long and be at
+    /// least as large.
     void shareDepthOf(const RenderTarget& other);
 
     /// Draws go here from now on, to the whole of it.
@@ -38,7 +39,8 @@ private:
     GlFramebuffer framebuffer_;
     std::vector<GLenum> formats_;
     std::vector<GlTexture> textures_;
-    std::vector<GlRenderbuffer> depth_; ///< one or none
+    std::vector<GlRenderbuffer> depth_; ///< its own: one or none
+    GLuint depthName_ = 0;              ///< of the depths it tests against; 0: none
     int width_ = 0;
     int height_ = 0;
 };

@@ -64,7 +64,7 @@ std::vector<ShaderPiece> sensorPieces(std::span<const Switch> switches)
 } // namespace
 
 SensorPass::SensorPass(ProgramLinker& linker)
-    : gl_(&linker.gl()), linker_(&linker), developed_(*gl_, {GL_RGBA8}, WithDepth::No), noVertices_(*gl_),
+    : gl_(&linker.gl()), linker_(&linker), developed_(*gl_, {GL_RGBA8}, WithDepth::No), fullScreen_(*gl_),
       curveBuffer_(*gl_), curveTexture_(*gl_)
 {
 }
@@ -72,6 +72,7 @@ SensorPass::SensorPass(ProgramLinker& linker)
 void SensorPass::resize(const RenderSettings& settings)
 {
     developed_.resize(settings.width, settings.height);
+    samplesChanged();
 }
 
 Result<const GlProgram*> SensorPass::programFor(const SensorInputs& inputs)
@@ -118,21 +119,34 @@ void SensorPass::showCurve(const GlProgram& program, const Response& response)
     gl_->BindTexture(GL_TEXTURE_BUFFER, curve_ ? curveTexture_.id() : 0);
 }
 
-void SensorPass::drawPicture(const RenderTarget& linear, Pixels pixels)
+void SensorPass::paint(const Around& around) const
 {
-    if (pixels == Pixels::All)
-        developed_.shareDepthOf(linear);
-    developed_.bind();
-    gl_->BindVertexArray(noVertices_.id());
-    if (pixels == Pixels::Covered)
-        gl_->Enable(GL_DEPTH_TEST);
-    gl_->DepthFunc(GL_EQUAL);
-    gl_->DepthMask(GL_FALSE);
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-    gl_->Disable(GL_DEPTH_TEST);
+    Image one(1, 1);
+    const Vec3d& radiance = around.radiance;
+    one.rgb = {static_cast<float>(radiance.x), static_cast<float>(radiance.y), static_cast<float>(radiance.z)};
+    const Vec3d code = developedAt(one, 0, 0, around.sensor);
+    const auto rounded = [](double channel) { return static_cast<float>(quantised(channel)) / 255.0F; };
+    const float color[] = {rounded(code.x), rounded(code.y), rounded(code.z), 1.0F};
+    gl_->ClearBufferfv(GL_COLOR, 0, color);
 }
 
-Result<void> SensorPass::draw(const RenderTarget& linear, const Sensor& sensor, Pixels pixels)
+/// Pixels that see nothing are painted at once, or keep what they show: the program runs in the others only.
+void SensorPass::drawPicture(const RenderTarget& linear, const std::optional<Around>& around, bool alikeEverywhere)
+{
+    const bool isThere = around && around == around_;
+    if (!isThere)
+        developed_.shareDepthOf(linear);
+    developed_.bind();
+    if (!isThere && around && alikeEverywhere)
+        paint(*around);
+    if (isThere || (around && alikeEverywhere))
+        fullScreen_.drawWhereSeen();
+    else
+        fullScreen_.draw();
+    around_ = around;
+}
+
+Result<void> SensorPass::draw(const RenderTarget& linear, const Sensor& sensor, const std::optional<Vec3d>& around)
 {
     const SensorInputs inputs = inputsOf(sensor);
     const auto found = programFor(inputs);
@@ -144,7 +158,7 @@ Result<void> SensorPass::draw(const RenderTarget& linear, const Sensor& sensor, 
     linear.bindAsInput(0, 0);
     program.set("linearPicture", 0);
     setInputs(program, inputs);
-    drawPicture(linear, pixels);
+    drawPicture(linear, around ? std::optional(Around{sensor, *around}) : std::nullopt, isAlikeEverywhere(inputs));
     return {};
 }
 

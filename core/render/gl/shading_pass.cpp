@@ -11,7 +11,7 @@ namespace {
 
 enum Unit { Normals, Positions, Lights, Map, MeasuredTexels, Triangles };
 
-std::vector<std::string> definesFor(const Requirements& r, Place place)
+std::vector<std::string> definesFor(const Requirements& r, Place place, bool oneSample)
 {
     std::vector<std::string> names;
     const auto define = [&names](bool required, const char* name) {
@@ -25,12 +25,13 @@ std::vector<std::string> definesFor(const Requirements& r, Place place)
     define(r.environmentMap, "ENVIRONMENT_MAP");
     define(r.holes, "TABLE_HOLES");
     define(r.positions, "POSITIONS");
+    define(oneSample, "ONE_SAMPLE");
     define(place == Place::Pixel, "ONCE_PER_PIXEL");
     define(place == Place::Fragment, "ONCE_PER_FRAGMENT");
     return names;
 }
 
-ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place place)
+ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place place, bool oneSample)
 {
     std::vector<ShaderPiece> pieces = modelPieces(model, r.table, r.lobe, r.form);
     if (r.holes)
@@ -44,21 +45,33 @@ ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place plac
     pieces.push_back(shaderFile("gl/rays.glsl"));
     pieces.push_back(shaderFile("gl/arrival.glsl"));
     pieces.push_back(shaderFile("gl/shading.frag"));
-    return assembled(definesFor(r, place), std::move(pieces));
+    return assembled(definesFor(r, place, oneSample), std::move(pieces));
 }
 
 } // namespace
 
 ShadingPass::ShadingPass(ProgramLinker& linker)
-    : gl_(&linker.gl()), linker_(&linker), linear_(*gl_, {GL_RGBA32F}, WithDepth::Yes), noVertices_(*gl_),
-      lights_(*gl_), environmentMap_(*gl_), table_(*gl_)
+    : gl_(&linker.gl()), linker_(&linker), linear_(*gl_, {GL_RGBA32F}, WithDepth::No),
+      coverage_(*gl_, {}, WithDepth::Yes), fullScreen_(*gl_), lights_(*gl_), environmentMap_(*gl_), table_(*gl_)
 {
 }
 
-void ShadingPass::resize(const RenderSettings& settings)
+void ShadingPass::resize(const RenderSettings& settings, const VisibilityPass& seen)
 {
-    linear_.resize(settings.width, settings.height);
-    covered_ = false;
+    if (linear_.width() != settings.width || linear_.height() != settings.height)
+        linear_.resize(settings.width, settings.height);
+    samplesPerAxis_ = settings.samplesPerAxis;
+    // A pixel's only sample has the pixel's depth.
+    const bool countsSamples = samplesPerAxis_ > 1;
+    coverage_.resize(countsSamples ? settings.width : 0, countsSamples ? settings.height : 0);
+    linear_.shareDepthOf(countsSamples ? coverage_ : seen.triangles());
+    samplesChanged();
+}
+
+void ShadingPass::samplesChanged()
+{
+    covered_ = samplesPerAxis_ == 1;
+    around_.reset();
 }
 
 void ShadingPass::keepIn(bool halfBuffer)
@@ -67,20 +80,16 @@ void ShadingPass::keepIn(bool halfBuffer)
         return;
     const int width = linear_.width();
     const int height = linear_.height();
-    linear_ = RenderTarget(*gl_, {halfBuffer ? GLenum{GL_RGBA16F} : GLenum{GL_RGBA32F}}, WithDepth::Yes);
-    linear_.resize(width, height);
+    RenderTarget other(*gl_, {halfBuffer ? GLenum{GL_RGBA16F} : GLenum{GL_RGBA32F}}, WithDepth::No);
+    other.resize(width, height);
+    other.shareDepthOf(linear_);
+    linear_ = std::move(other);
     halfBuffer_ = halfBuffer;
-    covered_ = false;
-}
-
-void ShadingPass::drawPicture() const
-{
-    gl_->BindVertexArray(noVertices_.id());
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    around_.reset();
 }
 
 /// Writes a depth wherever a sample of the pixel sees something.
-Result<void> ShadingPass::cover(const RenderTarget& samples, const RenderSettings& settings)
+Result<void> ShadingPass::cover(const RenderTarget& triangles)
 {
     const auto found = programs_.find("coverage", [&] {
         return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
@@ -90,16 +99,16 @@ Result<void> ShadingPass::cover(const RenderTarget& samples, const RenderSetting
         return found.error();
     const GlProgram& program = **found;
     program.use();
-    samples.bindAsInput(0, Unit::Normals);
-    program.set("normals", Unit::Normals);
-    program.set("samplesPerAxis", settings.samplesPerAxis);
+    triangles.bindAsInput(0, Unit::Triangles);
+    program.set("triangles", Unit::Triangles);
+    program.set("samplesPerAxis", samplesPerAxis_);
     constexpr float farthest = 1.0F;
-    linear_.bind();
+    coverage_.bind();
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthFunc(GL_ALWAYS);
     gl_->DepthMask(GL_TRUE);
     gl_->ClearBufferfv(GL_DEPTH, 0, &farthest);
-    drawPicture();
+    fullScreen_.draw();
     gl_->DepthMask(GL_FALSE);
     gl_->Disable(GL_DEPTH_TEST);
     covered_ = true;
@@ -107,22 +116,23 @@ Result<void> ShadingPass::cover(const RenderTarget& samples, const RenderSetting
 }
 
 /// Runs the program only in pixels that were covered; the others are of the background's colour.
-void ShadingPass::drawCovered(const Vec3d& background) const
+void ShadingPass::drawCovered(const Vec3d& background)
 {
     const Vec3f color(background);
     const float uncovered[] = {color.x, color.y, color.z, 0.0F};
-    gl_->ClearBufferfv(GL_COLOR, 0, uncovered);
-    gl_->Enable(GL_DEPTH_TEST);
-    gl_->DepthFunc(GL_EQUAL);
-    drawPicture();
-    gl_->Disable(GL_DEPTH_TEST);
+    if (around_ != background)
+        gl_->ClearBufferfv(GL_COLOR, 0, uncovered);
+    around_ = background;
+    fullScreen_.drawWhereSeen();
 }
 
 Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements, Place place)
 {
-    return programs_.find(requirements.key() + "+" + std::string(nameOf(place)), [&]() -> Result<GlProgram> {
+    const bool oneSample = samplesPerAxis_ == 1;
+    const std::string samples = oneSample ? "one" : std::string(nameOf(place)); // one is shaded once, wherever
+    return programs_.find(requirements.key() + "+" + samples, [&]() -> Result<GlProgram> {
         return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
-                               sourceFor(requirements, requirements.modelUsed().text, place));
+                               sourceFor(requirements, requirements.modelUsed().text, place, oneSample));
     });
 }
 
@@ -163,7 +173,7 @@ Result<void> ShadingPass::draw(const VisibilityPass& seen, const ShadingInputs& 
     keepIn(inputs.how.halfBuffer);
     const bool everywhere = inputs.requirements.environmentBackground;
     if (!everywhere && !covered_)
-        if (auto done = cover(samples, settings); !done)
+        if (auto done = cover(seen.triangles()); !done)
             return done;
     const auto found = programFor(inputs.requirements, inputs.how.place);
     if (!found)
@@ -175,8 +185,7 @@ Result<void> ShadingPass::draw(const VisibilityPass& seen, const ShadingInputs& 
         samples.bindAsInput(1, Unit::Positions);
     program.set("normals", Unit::Normals);
     program.set("positions", Unit::Positions);
-    if (inputs.how.place == Place::Fragment)
-        seen.triangles().bindAsInput(0, Unit::Triangles);
+    seen.triangles().bindAsInput(0, Unit::Triangles);
     program.set("triangles", Unit::Triangles);
     program.set("samplesPerAxis", settings.samplesPerAxis);
     program.set("eye", camera.eye);
@@ -193,10 +202,12 @@ Result<void> ShadingPass::draw(const VisibilityPass& seen, const ShadingInputs& 
     if (inputs.requirements.lobe == LobeForm::Table)
         uploadLobeTable(program, model, inputs.values);
     linear_.bind();
-    if (everywhere)
-        drawPicture();
-    else
+    if (everywhere) {
+        around_.reset();
+        fullScreen_.draw();
+    } else {
         drawCovered(inputs.background.color);
+    }
     return {};
 }
 

@@ -9,7 +9,7 @@ namespace reflectance {
 
 VisibilityPass::VisibilityPass(const Gl& gl, GlProgram rasterising, GlProgram locating)
     : gl_(&gl), rasterising_(std::move(rasterising)), locating_(std::move(locating)),
-      triangles_(gl, {GL_R32UI}, WithDepth::Yes), surface_(gl, {GL_RGBA32F}, WithDepth::No), noVertices_(gl)
+      triangles_(gl, {GL_R32UI}, WithDepth::Yes), surface_(gl, {GL_RGBA32F}, WithDepth::No), fullScreen_(gl)
 {
     surface_.shareDepthOf(triangles_);
 }
@@ -93,19 +93,7 @@ void VisibilityPass::locate(const MeshBuffers& mesh, const Camera& camera, const
     locating_.set("eye", camera.eye);
     setRays(locating_, camera, settings);
     surface.bind();
-    constexpr float nothing[] = {0.0F, 0.0F, 0.0F, 0.0F};
-    gl_->ClearBufferfv(GL_COLOR, 0, nothing);
-    if (surface.textures() == 2)
-        gl_->ClearBufferfv(GL_COLOR, 1, nothing);
-    // At the depth of the cleared buffer: before it lies what was hit, and only there the shader has to run.
-    gl_->Enable(GL_DEPTH_TEST);
-    gl_->DepthFunc(GL_GREATER);
-    gl_->DepthMask(GL_FALSE);
-    gl_->DepthRange(1.0, 1.0);
-    gl_->BindVertexArray(noVertices_.id());
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-    gl_->DepthRange(0.0, 1.0);
-    gl_->Disable(GL_DEPTH_TEST);
+    fullScreen_.drawWhereSeen();
 }
 
 } // namespace reflectance

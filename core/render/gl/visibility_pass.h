@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/render/gl/full_screen.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/gl/mesh_buffers.h"
 #include "core/render/gl/render_target.h"
@@ -24,13 +25,13 @@ public:
 
     [[nodiscard]] std::uint64_t bytes() const { return triangles_.bytes() + surface_.bytes(); }
 
-    /// R32UI: 1 + the triangle's number, 0 where nothing was hit.
+    /// R32UI: 1 + the triangle's number, 0 where nothing was hit; and the depths, those of a cleared target there.
     [[nodiscard]] const RenderTarget& triangles() const { return triangles_; }
     /// What surface() would hold if positions were kept, of the view that was drawn last.
     [[nodiscard]] RenderTarget located(const MeshBuffers& mesh, const Camera& camera,
                                        const RenderSettings& settings) const;
 
-    /// Texture 0: N and hit flag; texture 1, where it is kept: P. See shaders/gl/surface.frag.
+    /// Texture 0: N; texture 1, where it is kept: P. Both are undefined where triangles() says that nothing was hit.
     [[nodiscard]] const RenderTarget& surface() const { return surface_; }
 
 private:
@@ -45,7 +46,7 @@ private:
     GlProgram locating_;
     RenderTarget triangles_;
     RenderTarget surface_;
-    GlVertexArray noVertices_;
+    FullScreen fullScreen_;
 };
 
 } // namespace reflectance
