@@ -45,7 +45,8 @@ void measureCpu(const Scene& scene, const RenderSettings& settings, int repetiti
         PriceTag& tag = tags.emplace_back();
         tag.name =
             precision == Precision::Simd ? std::string("simd (") + lanesName() + ")" : std::string(nameOf(precision));
-        tag.milliseconds = timed(repetitions, [&] { image = shadeSamples(samples, scene, precision); }).median;
+        tag.milliseconds =
+            timed(repetitions, byTheWall([&] { image = shadeSamples(samples, scene, precision); })).median;
         if (precision == Precision::Double)
             truth = std::move(image);
         else
@@ -60,14 +61,12 @@ void measureGl(const Scene& scene, const RenderSettings& settings, GlRenderer& g
         return; // what GL cannot draw has no price; whoever shows the picture reports why
     PriceTag tag;
     tag.name = "gl";
-    const Timing timing = timed(repetitions, [&] {
-        gl.finish();
+    const auto draw = [&] {
         gl.invalidateShading();
         // The same scene has just been drawn.
         static_cast<void>(gl.render(scene, settings));
-        gl.finish();
-    });
-    tag.milliseconds = timing.median;
+    };
+    tag.milliseconds = timed(repetitions, [&] { return gl.millisecondsOf(draw); }).median;
     const Image image = gl.readLinear();
     holdAgainst(shadeSamples(gl.readSamples(), scene, Precision::Double), image, tag);
     tags.push_back(std::move(tag));

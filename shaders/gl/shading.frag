@@ -9,6 +9,7 @@ vec3 positionAt(ivec2 texel) { return texelFetch(positions, texel, 0).xyz; }
 #else
 vec3 positionAt(ivec2 texel) { return vec3(0.0); } // nobody asks
 #endif
+uniform int samplesPerAxis;
 uniform int lightCount;
 uniform vec3 eye;
 uniform vec3 backgroundColor;
@@ -52,22 +53,6 @@ vec3 backgroundAt(ivec2 texel)
     return backgroundColor;
 #endif
 }
-
-#ifdef ONE_SAMPLE
-// Where no surroundings show, only pixels that see something come here.
-void main()
-{
-    ivec2 texel = ivec2(gl_FragCoord.xy);
-#ifdef ENVIRONMENT_BACKGROUND
-    if (texelFetch(triangles, texel, 0).x == 0u) {
-        radianceAndCoverage = vec4(backgroundAt(texel), 0.0);
-        return;
-    }
-#endif
-    radianceAndCoverage = vec4(shadeAt(texel), 1.0);
-}
-#else
-uniform int samplesPerAxis;
 
 #ifdef ONCE_PER_PIXEL
 // The middle one of the pixel's covered samples stands for all of them; from the top row, as the CPU renderer counts.
@@ -139,4 +124,3 @@ void main()
     float samples = float(samplesPerAxis * samplesPerAxis);
     radianceAndCoverage = vec4(sum / samples, hits / samples);
 }
-#endif

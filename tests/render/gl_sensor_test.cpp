@@ -4,6 +4,7 @@
 #include "tests/render/gl_scenes.h"
 
 #include <cstdlib>
+#include <functional>
 #include <glad/gl.h>
 
 namespace reflectance::test {
@@ -112,45 +113,84 @@ TEST_P(GlSensor, EveryViewGivesTheCodesOfTheCore)
     }
 }
 
-/// After a first picture only pixels that see something are developed anew, unless the others change as well.
+/// All that a picture depends on.
+struct Moment {
+    Scene scene = twoLightScene("hybrid");
+    RenderSettings settings{96, 64, 2};
+    GlShading how;
+};
+
+/// After a first picture only what changed is drawn, and only pixels that see something are developed anew unless the others
+/// change as well.
 TEST_P(GlSensor, PicturesAfterTheFirstAreThoseOfANewRenderer)
 {
-    const auto next = [](int step, Scene& scene) {
-        if (step == 0)
-            scene.surface.values["n"] = {3.0};
-        else if (step == 1)
-            scene.background.color = {0.2, 0.5, 0.1};
-        else if (step == 2)
-            scene.sensor.exposure = 1.0;
-        else if (step == 3)
-            scene.camera = orbited(scene.camera, 0.2, 0.1);
-        else if (step == 4)
-            scene.background.kind = BackgroundKind::Environment;
-        else if (step == 5)
-            scene.environment.kind = EnvironmentKind::Studio;
-        else if (step == 6)
-            scene.environment.rotation = 40.0;
-        else if (step == 7)
-            scene.background = {};
-        else
-            scene.lights[0].direction.x += 0.5;
+    const auto sensor = [](const char* part) {
+        return [part](Moment& m) { ASSERT_TRUE(setOnSensor(part, m.scene.sensor)) << part; };
     };
-    constexpr int steps = 9;
+    const std::vector<std::function<void(Moment&)>> changes{
+        [](Moment& m) { m.scene.surface.values["n"] = {3.0}; },
+        [](Moment& m) {
+            m.scene.background.color = {0.2, 0.5, 0.1};
+        },
+        [](Moment& m) { m.scene.sensor.exposure = 1.0; },
+        [](Moment& m) { m.scene.camera = orbited(m.scene.camera, 0.2, 0.1); },
+        [](Moment& m) { m.settings.samplesPerAxis = 1; },
+        [](Moment& m) { m.scene.lights[0].direction.x += 0.5; },
+        [](Moment& m) { m.scene.camera = orbited(m.scene.camera, -0.3, 0.1); },
+        [](Moment& m) { m.how.halfBuffer = true; },
+        [](Moment& m) {
+            m.scene.background.color = {0.9, 0.1, 0.3};
+        },
+        [](Moment& m) { m.how.halfBuffer = false; },
+        sensor("noise=20"),
+        [](Moment& m) { m.scene.lights[0].direction.x -= 0.2; },
+        sensor("noise=off"),
+        [](Moment& m) { m.settings.samplesPerAxis = 3; },
+        sensor("vignetting=cos4:corner=40"),
+        [](Moment& m) { m.scene.background.kind = BackgroundKind::Environment; },
+        [](Moment& m) { m.scene.environment.kind = EnvironmentKind::Studio; },
+        [](Moment& m) { m.settings.samplesPerAxis = 1; },
+        [](Moment& m) { m.scene.environment.rotation = 40.0; },
+        [](Moment& m) { m.scene.background = {}; },
+        sensor("vignetting=off"),
+        [](Moment& m) { m.scene.mesh = square(); },
+        [](Moment& m) { m.scene.lights[0].direction.x += 0.5; },
+    };
+    const auto draw = [this](const Moment& m) {
+        const auto done = renderer().render(m.scene, m.settings, m.how);
+        EXPECT_TRUE(done) << done.error().sentence();
+        return codes();
+    };
     std::vector<std::vector<std::uint8_t>> drawn;
-    Scene scene = twoLightScene("hybrid");
-    render(scene, settings);
-    for (int step = 0; step < steps; ++step) {
-        next(step, scene);
-        render(scene, settings);
-        drawn.push_back(codes());
+    Moment moment;
+    draw(moment);
+    for (const auto& change : changes) {
+        change(moment);
+        drawn.push_back(draw(moment));
     }
-    scene = twoLightScene("hybrid");
-    for (int step = 0; step < steps; ++step) {
-        next(step, scene);
+    moment = {};
+    for (std::size_t step = 0; step < changes.size(); ++step) {
+        changes[step](moment);
         startAnew();
-        render(scene, settings);
-        EXPECT_TRUE(codes() == drawn[static_cast<std::size_t>(step)]) << "step " << step;
+        EXPECT_TRUE(draw(moment) == drawn[step]) << "step " << step;
     }
+}
+
+/// A surround of one colour is painted by the core's codes, without running the shader there.
+TEST_P(GlSensor, PaintsThePlainSurroundInTheCodesOfTheCore)
+{
+    for (const int samples : {1, 2})
+        for (const char* part :
+             {"quantisation=8", "quantisation=3", "encoding=rec709", "balance=1.5,1,0.8", "dither=on"}) {
+            Scene scene = twoLightScene("hybrid");
+            scene.background.color = {0.25, 0.031, 3.0};
+            static_cast<void>(setOnSensor(part, scene.sensor));
+            render(scene, {96, 64, samples});
+            const Developed expected = develop(renderer().readLinear(), scene.sensor);
+            const std::vector<std::uint8_t> got = codes();
+            for (std::size_t i = 0; i < 3; ++i) // the upper left corner sees nothing
+                EXPECT_EQ(got[i], expected.rgb[i]) << part;
+        }
 }
 
 TEST_P(GlSensor, NoticesAnotherExposure)

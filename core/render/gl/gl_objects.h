@@ -61,6 +61,7 @@ using GlBuffer = GlObject<detail::Generated<&Gl::GenBuffers, &Gl::DeleteBuffers>
 using GlFramebuffer = GlObject<detail::Generated<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>>;
 using GlRenderbuffer = GlObject<detail::Generated<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>>;
 using GlVertexArray = GlObject<detail::Generated<&Gl::GenVertexArrays, &Gl::DeleteVertexArrays>>;
+using GlQuery = GlObject<detail::Generated<&Gl::GenQueries, &Gl::DeleteQueries>>;
 using GlProgramObject = GlObject<detail::ProgramKind>;
 using GlVertexShader = GlObject<detail::ShaderKind<GL_VERTEX_SHADER>>;
 using GlFragmentShader = GlObject<detail::ShaderKind<GL_FRAGMENT_SHADER>>;

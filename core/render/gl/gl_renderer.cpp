@@ -2,6 +2,7 @@
 
 #include "core/base/check.h"
 #include "core/base/text.h"
+#include "core/render/gl/draw_clock.h"
 #include "core/render/gl/evaluate_pass.h"
 #include "core/render/gl/gl_functions.h"
 #include "core/render/gl/sample_reader.h"
@@ -10,6 +11,7 @@
 #include "core/render/gl/uploaded_meshes.h"
 #include "core/render/gl/visibility_pass.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -190,6 +192,13 @@ Result<void> GlRenderer::State::update(const Scene& scene, const RenderSettings&
     return shaded == inputs ? Result<void>() : shade(inputs);
 }
 
+bool isSoftware(std::string_view description)
+{
+    constexpr std::string_view names[] = {"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software"};
+    return std::any_of(std::begin(names), std::end(names),
+                       [&](std::string_view name) { return description.find(name) != std::string_view::npos; });
+}
+
 GlRenderer::GlRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 GlRenderer::GlRenderer(GlRenderer&&) noexcept = default;
 GlRenderer& GlRenderer::operator=(GlRenderer&&) noexcept = default;
@@ -259,6 +268,12 @@ ViewSamples GlRenderer::readSamples()
     ViewSamples samples = s.reader.readSamples(s.visibility.triangles(), surface, view.settings, view.camera.eye);
     leaveState(s.functions->gl());
     return samples;
+}
+
+double GlRenderer::millisecondsOf(const std::function<void()>& work)
+{
+    const Gl& gl = state_->functions->gl();
+    return isSoftware(description()) ? wallMillisecondsOf(gl, work) : cardMillisecondsOf(gl, work);
 }
 
 void GlRenderer::finish()

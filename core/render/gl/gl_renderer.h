@@ -12,9 +12,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace reflectance {
@@ -48,7 +50,10 @@ public:
     [[nodiscard]] ViewSamples readSamples();         ///< the N and P that GL used, for GL = CPU
     void invalidateShading(); ///< the next render() shades again even if nothing changed (for timing)
     void invalidateSamples(); ///< the next render() looks again as well
-    void finish();            ///< waits until all drawing is done (for timing)
+    /// Of drawing what `work`, which calls render() or renderLinear(), asks for: by the driver's clock on a graphics card,
+    /// by the wall where the processor draws.
+    [[nodiscard]] double millisecondsOf(const std::function<void()>& work);
+    void finish(); ///< waits until all drawing is done
 
     /// The model at given directions, in GLSL; same rows as reflectance::evaluate.
     [[nodiscard]] Result<std::vector<Vec3d>> evaluate(const Model& model, std::span<const double> values,
@@ -64,5 +69,8 @@ private:
     explicit GlRenderer(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
+
+/// Whether the processor draws, by what GlRenderer::description says.
+[[nodiscard]] bool isSoftware(std::string_view description);
 
 } // namespace reflectance

@@ -11,7 +11,7 @@ namespace {
 
 enum Unit { Normals, Positions, Lights, Map, MeasuredTexels, Triangles };
 
-std::vector<std::string> definesFor(const Requirements& r, Place place, bool oneSample)
+std::vector<std::string> definesFor(const Requirements& r, Place place)
 {
     std::vector<std::string> names;
     const auto define = [&names](bool required, const char* name) {
@@ -25,13 +25,12 @@ std::vector<std::string> definesFor(const Requirements& r, Place place, bool one
     define(r.environmentMap, "ENVIRONMENT_MAP");
     define(r.holes, "TABLE_HOLES");
     define(r.positions, "POSITIONS");
-    define(oneSample, "ONE_SAMPLE");
     define(place == Place::Pixel, "ONCE_PER_PIXEL");
     define(place == Place::Fragment, "ONCE_PER_FRAGMENT");
     return names;
 }
 
-ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place place, bool oneSample)
+ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place place)
 {
     std::vector<ShaderPiece> pieces = modelPieces(model, r.table, r.lobe, r.form);
     if (r.holes)
@@ -45,7 +44,7 @@ ShaderSource sourceFor(const Requirements& r, const ModelText& model, Place plac
     pieces.push_back(shaderFile("gl/rays.glsl"));
     pieces.push_back(shaderFile("gl/arrival.glsl"));
     pieces.push_back(shaderFile("gl/shading.frag"));
-    return assembled(definesFor(r, place, oneSample), std::move(pieces));
+    return assembled(definesFor(r, place), std::move(pieces));
 }
 
 } // namespace
@@ -128,11 +127,9 @@ void ShadingPass::drawCovered(const Vec3d& background)
 
 Result<const GlProgram*> ShadingPass::programFor(const Requirements& requirements, Place place)
 {
-    const bool oneSample = samplesPerAxis_ == 1;
-    const std::string samples = oneSample ? "one" : std::string(nameOf(place)); // one is shaded once, wherever
-    return programs_.find(requirements.key() + "+" + samples, [&]() -> Result<GlProgram> {
+    return programs_.find(requirements.key() + "+" + std::string(nameOf(place)), [&]() -> Result<GlProgram> {
         return GlProgram::link(*linker_, assembled({}, {shaderFile("gl/fullscreen.vert")}),
-                               sourceFor(requirements, requirements.modelUsed().text, place, oneSample));
+                               sourceFor(requirements, requirements.modelUsed().text, place));
     });
 }
 

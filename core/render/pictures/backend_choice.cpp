@@ -30,13 +30,6 @@ std::string firstLine()
            std::to_string(std::thread::hardware_concurrency()) + " cores, " + lanesName();
 }
 
-bool isSoftware(std::string_view renderer)
-{
-    constexpr std::string_view names[] = {"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software"};
-    return std::any_of(std::begin(names), std::end(names),
-                       [&](std::string_view name) { return renderer.find(name) != std::string_view::npos; });
-}
-
 /// Nothing where no context opens.
 std::optional<std::string> rendererHere(ContextKind kind)
 {

@@ -21,23 +21,18 @@ double millisecondsSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// The medians of the shadings after the first: shade(specialised). The general path, where it is asked for, takes turns with
-/// the other, which comes last and leaves the picture.
+/// The medians of the shadings after the first: shade(specialised) gives milliseconds. The general path, where it is asked
+/// for, takes turns with the other, which comes last and leaves the picture.
 template <class Shade> void timeShadings(const RenderPlan& plan, Shade shade, Rendered& rendered)
 {
-    const auto timed = [&](bool specialised) {
-        const Clock::time_point start = Clock::now();
-        shade(specialised);
-        return millisecondsSince(start);
-    };
     std::vector<double> asPlanned;
     std::vector<double> general;
     if (plan.alsoGeneral && plan.frames > 1)
-        shade(false); // links a program, warms caches
+        static_cast<void>(shade(false)); // links a program, warms caches
     for (int i = 1; i < plan.frames; ++i) {
         if (plan.alsoGeneral)
-            general.push_back(timed(false));
-        asPlanned.push_back(timed(plan.specialised));
+            general.push_back(shade(false));
+        asPlanned.push_back(shade(plan.specialised));
     }
     rendered.shadingMilliseconds = medianTime(std::move(asPlanned));
     rendered.generalMilliseconds = medianTime(std::move(general));
@@ -52,9 +47,11 @@ void renderFrames(const Scene& scene, const RenderSettings& settings, const Rend
         std::make_shared<const ViewSamples>(sampleView(*makeRayScene(scene.mesh), scene.camera, settings, progress)),
         *scene.mesh, plan.place);
     const auto shade = [&](bool specialised) {
+        const Clock::time_point shadingStart = Clock::now();
         rendered.image = shadePlaces(view, scene, {plan.precision, plan.lobe, specialised});
+        return millisecondsSince(shadingStart);
     };
-    shade(plan.specialised);
+    static_cast<void>(shade(plan.specialised));
     rendered.firstFrameMilliseconds = millisecondsSince(start);
     timeShadings(plan, shade, rendered);
 }
@@ -95,9 +92,10 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
     Result<void> last;
     const auto shade = [&](bool specialised) {
         how.specialised = specialised;
-        renderer->invalidateShading();
-        last = renderer->renderLinear(scene, settings, how);
-        renderer->finish();
+        return renderer->millisecondsOf([&] {
+            renderer->invalidateShading();
+            last = renderer->renderLinear(scene, settings, how);
+        });
     };
     timeShadings(plan, shade, rendered);
     if (!last)

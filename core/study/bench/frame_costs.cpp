@@ -9,7 +9,7 @@ Result<std::vector<FrameCost>> frameCosts(const Scene& scene, const RenderSettin
                                           const BenchEffort& effort, Progress& progress)
 {
     std::vector<FrameCost> costs;
-    std::vector<std::function<void()>> works;
+    std::vector<TimedWork> works;
     ViewSamples samples;
     const double sampling =
         millisecondsOf([&] { samples = sampleView(*makeRayScene(scene.mesh), scene.camera, settings); });
@@ -17,19 +17,21 @@ Result<std::vector<FrameCost>> frameCosts(const Scene& scene, const RenderSettin
         const std::string lanes = precision == Precision::Simd ? std::string(" (") + lanesName() + ")" : "";
         const double shading = millisecondsOf([&] { static_cast<void>(shadeSamples(samples, scene, precision)); });
         costs.push_back({std::string(nameOf(precision)) + lanes, {}, sampling + shading});
-        works.emplace_back([&, precision] { static_cast<void>(shadeSamples(samples, scene, precision)); });
+        works.emplace_back(byTheWall([&, precision] { static_cast<void>(shadeSamples(samples, scene, precision)); }));
     }
     Result<void> drawn;
     if (gl != nullptr) {
         const auto draw = [&] {
             gl->invalidateShading();
             drawn = gl->render(scene, settings);
-            gl->finish();
         };
-        costs.push_back({"glsl", {}, millisecondsOf(draw)});
+        costs.push_back({"glsl", {}, millisecondsOf([&] {
+                             draw();
+                             gl->finish();
+                         })});
         if (!drawn)
             return drawn.error();
-        works.emplace_back(draw);
+        works.emplace_back([gl, draw] { return gl->millisecondsOf(draw); });
     }
     const auto timings = interleaved(works, effort.repetitions, 1.0, progress, 1.0);
     for (std::size_t i = 0; i < timings.size(); ++i)

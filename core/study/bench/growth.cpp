@@ -45,19 +45,19 @@ public:
         std::vector<ViewSamples> samples;
         for (std::size_t i = 0; i < sizes.size(); ++i)
             samples.push_back(sampleView(*makeRayScene(scenes[i].mesh), scenes[i].camera, settings[i]));
-        std::vector<std::function<void()>> works;
+        std::vector<TimedWork> works;
         for (std::size_t i = 0; i < sizes.size(); ++i)
-            works.emplace_back([&, i] { static_cast<void>(shadeSamples(samples[i], scenes[i], Precision::Simd)); });
+            works.emplace_back(
+                byTheWall([&, i] { static_cast<void>(shadeSamples(samples[i], scenes[i], Precision::Simd)); }));
         run(with, "shading, simd", sizes, works, gl_ != nullptr ? 0.5 : 1.0);
         for (std::size_t i = 0; gl_ != nullptr && i < sizes.size(); ++i) {
             // One renderer keeps the samples of one size: the sizes follow each other.
             const auto draw = [&, i] {
                 gl_->invalidateShading();
                 note(gl_->render(scenes[i], settings[i]));
-                gl_->finish();
             };
             draw();
-            append(with, "shading, glsl", sizes[i], timed(repetitions_, draw));
+            append(with, "shading, glsl", sizes[i], timed(repetitions_, [&] { return gl_->millisecondsOf(draw); }));
             progress_.done.fetch_add(0.5 / kinds / static_cast<double>(sizes.size()));
         }
     }
@@ -68,16 +68,16 @@ public:
         std::vector<Scene> scenes;
         for (const double size : sizes)
             scenes.push_back(ballScene(static_cast<std::size_t>(size), 1));
-        std::vector<std::function<void()>> works;
+        std::vector<TimedWork> works;
         for (const Scene& scene : scenes)
-            works.emplace_back([&] { static_cast<void>(renderOnCpu(scene, settings, Precision::Simd)); });
+            works.emplace_back(byTheWall([&] { static_cast<void>(renderOnCpu(scene, settings, Precision::Simd)); }));
         run("triangles", "first frame, simd", sizes, works, gl_ != nullptr ? 0.5 : 1.0);
         works.clear();
         for (Scene& scene : scenes)
-            works.emplace_back([&] { // another mesh each time, so that it is uploaded anew
+            works.push_back(byTheWall([&] { // another mesh each time, so that it is uploaded anew: the way there counts
                 note(gl_->render(scene, settings));
                 gl_->finish();
-            });
+            }));
         if (gl_ != nullptr)
             run("triangles", "first frame, glsl", sizes, works, 0.5);
     }
@@ -96,9 +96,10 @@ public:
             all.push_back(measuredTable(sampled(isotropicShape(steps, steps), 3, f)));
             sizes.push_back(static_cast<double>(all.back()->table.samples()));
         }
-        std::vector<std::function<void()>> works;
+        std::vector<TimedWork> works;
         for (const auto& table : all)
-            works.emplace_back([&] { model.lanes.shade(nullptr, directions.batch(lookUpsIn(table.get()).single)); });
+            works.emplace_back(
+                byTheWall([&] { model.lanes.shade(nullptr, directions.batch(lookUpsIn(table.get()).single)); }));
         run("table samples", "a batch, simd", sizes, works, 1.0);
     }
 
@@ -123,7 +124,7 @@ private:
         growths_.back().milliseconds.push_back(timing);
     }
     void run(const std::string& with, const std::string& cost, const std::vector<double>& sizes,
-             const std::vector<std::function<void()>>& works, double share)
+             const std::vector<TimedWork>& works, double share)
     {
         const auto timings = interleaved(works, repetitions_, 1.0, progress_, share / kinds);
         for (std::size_t i = 0; i < timings.size(); ++i)

@@ -2,14 +2,14 @@
 
 namespace reflectance {
 
-std::vector<Timing> interleaved(std::span<const std::function<void()>> works, int repetitions, double units,
-                                Progress& progress, double share)
+std::vector<Timing> interleaved(std::span<const TimedWork> works, int repetitions, double units, Progress& progress,
+                                double share)
 {
     std::vector<std::vector<double>> times(works.size());
     const double part = share / (static_cast<double>(works.size()) * (repetitions + 1));
     for (int round = 0; round <= repetitions; ++round)
         for (std::size_t i = 0; i < works.size() && !progress.cancel; ++i) {
-            const double spent = millisecondsOf(works[i]) / units;
+            const double spent = works[i]() / units;
             if (round > 0)
                 times[i].push_back(spent);
             progress.done.fetch_add(part);

@@ -4,7 +4,6 @@
 #include "core/render/progress.h"
 #include "core/study/cost/timing.h"
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace reflectance {
 /// Every piece once to warm up, then each `repetitions` times, one after the other. `units`: what one run counts for, so that
 /// the timings are milliseconds per unit. Where the progress is cancelled, of what was done until then; `share` of it is done
 /// when all is.
-[[nodiscard]] std::vector<Timing> interleaved(std::span<const std::function<void()>> works, int repetitions,
-                                              double units, Progress& progress, double share);
+[[nodiscard]] std::vector<Timing> interleaved(std::span<const TimedWork> works, int repetitions, double units,
+                                              Progress& progress, double share);
 
 } // namespace reflectance

@@ -42,14 +42,14 @@ private:
              DirectionRows<T>& rows)
     {
         costs_.push_back({std::move(model), std::move(precision), {}});
-        works_.emplace_back([kernel, values, &rows] { kernel.shade(values.data(), rows.batch()); });
+        works_.emplace_back(byTheWall([kernel, values, &rows] { kernel.shade(values.data(), rows.batch()); }));
     }
 
     DirectionRows<double> exact_;
     DirectionRows<float> single_;
     std::string simd_ = std::string("simd (") + lanesName() + ")";
     std::vector<KernelCost> costs_;
-    std::vector<std::function<void()>> works_;
+    std::vector<TimedWork> works_;
 };
 
 } // namespace

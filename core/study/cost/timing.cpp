@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace reflectance {
 namespace {
@@ -34,12 +35,17 @@ double millisecondsOf(const std::function<void()>& work)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-Timing timed(int repetitions, const std::function<void()>& work)
+TimedWork byTheWall(std::function<void()> work)
 {
-    work();
+    return [work = std::move(work)] { return millisecondsOf(work); };
+}
+
+Timing timed(int repetitions, const TimedWork& work)
+{
+    static_cast<void>(work());
     std::vector<double> times;
     for (int i = 0; i < std::max(1, repetitions); ++i)
-        times.push_back(millisecondsOf(work));
+        times.push_back(work());
     return timingOf(std::move(times));
 }
 

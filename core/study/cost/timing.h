@@ -18,7 +18,12 @@ struct Timing {
 /// Milliseconds that the work takes once.
 [[nodiscard]] double millisecondsOf(const std::function<void()>& work);
 
+/// Does a piece of work once and says how many milliseconds it took, by whatever clock is right for it.
+using TimedWork = std::function<double()>;
+
+[[nodiscard]] TimedWork byTheWall(std::function<void()> work);
+
 /// The work alone: once to warm caches and threads up, then `repetitions` times.
-[[nodiscard]] Timing timed(int repetitions, const std::function<void()>& work);
+[[nodiscard]] Timing timed(int repetitions, const TimedWork& work);
 
 } // namespace reflectance

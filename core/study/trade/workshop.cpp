@@ -81,12 +81,10 @@ Result<Prepared> Workshop::prepare(const Recipe& recipe)
         CHECK_EQ(hasGl(), true);
         if (auto done = drawOnGl(prepared); !done) // compiles what is new, so that the look is timed without
             return done.error();
-        gl_->finish();
-        prepared.lookMilliseconds = millisecondsOf([&] {
+        prepared.lookMilliseconds = gl_->millisecondsOf([&] {
             gl_->invalidateSamples();
             // It has just been drawn.
             static_cast<void>(drawOnGl(prepared));
-            gl_->finish();
         });
         prepared.bytes = glBytes(drawn, recipe.halfBuffer, requirementsOf(recipe.scene, recipe.arithmetic()).positions);
         return prepared;
@@ -142,11 +140,9 @@ Result<double> Workshop::shadingTime(const Prepared& prepared)
         return millisecondsOf([&] { static_cast<void>(shadedOnCpu(prepared)); });
     if (auto drawn = drawOnGl(prepared); !drawn) // another recipe may have been in its place
         return drawn.error();
-    gl_->finish();
-    return millisecondsOf([&] {
+    return gl_->millisecondsOf([&] {
         gl_->invalidateShading();
         static_cast<void>(drawOnGl(prepared));
-        gl_->finish();
     });
 }
 

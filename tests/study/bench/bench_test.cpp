@@ -15,7 +15,7 @@ namespace {
 TEST(Interleaved, RunsEveryPieceInTurns)
 {
     std::string order;
-    const std::vector<std::function<void()>> works{[&] { order += 'a'; }, [&] { order += 'b'; }};
+    const std::vector<TimedWork> works{byTheWall([&] { order += 'a'; }), byTheWall([&] { order += 'b'; })};
     Progress progress;
     const auto timings = interleaved(works, 3, 1.0, progress, 1.0);
     EXPECT_EQ(order, "abababab"); // once to warm up
@@ -27,9 +27,18 @@ TEST(Interleaved, StopsWhenItIsToldTo)
 {
     Progress progress;
     int runs = 0;
-    const std::vector<std::function<void()>> works{[&] { progress.cancel = ++runs == 3; }};
+    const std::vector<TimedWork> works{byTheWall([&] { progress.cancel = ++runs == 3; })};
     EXPECT_EQ(interleaved(works, 100, 1.0, progress, 1.0)[0].repetitions, 2);
     EXPECT_EQ(runs, 3);
+}
+
+TEST(Interleaved, TakesEachPiecesOwnClock)
+{
+    const std::vector<TimedWork> works{[] { return 3.0; }, [] { return 8.0; }};
+    Progress progress;
+    const auto timings = interleaved(works, 5, 2.0, progress, 1.0);
+    EXPECT_EQ(timings[0].median, 1.5) << "of each of two units";
+    EXPECT_EQ(timings[1].median, 4.0);
 }
 
 Growth grown(const std::function<double(double)>& cost)

@@ -20,7 +20,7 @@ TEST(Timing, IsTheMiddleAndTheQuartiles)
 TEST(Timing, RunsTheWorkOnceMoreThanItTimesIt)
 {
     int runs = 0;
-    EXPECT_EQ(timed(4, [&] { ++runs; }).repetitions, 4);
+    EXPECT_EQ(timed(4, byTheWall([&] { ++runs; })).repetitions, 4);
     EXPECT_EQ(runs, 5) << "the first warms up";
 }
 
