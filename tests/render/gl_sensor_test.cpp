@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <functional>
 #include <glad/gl.h>
+#include <utility>
 
 namespace reflectance::test {
 namespace {
@@ -134,8 +135,10 @@ TEST_P(GlSensor, PicturesAfterTheFirstAreThoseOfANewRenderer)
         },
         [](Moment& m) { m.scene.sensor.exposure = 1.0; },
         [](Moment& m) { m.scene.camera = orbited(m.scene.camera, 0.2, 0.1); },
+        [](Moment& m) { m.scene.camera.eye = 1.4 * m.scene.camera.eye; }, // the object becomes smaller
         [](Moment& m) { m.settings.samplesPerAxis = 1; },
         [](Moment& m) { m.scene.lights[0].direction.x += 0.5; },
+        [](Moment& m) { m.scene.camera.eye = 1.2 * m.scene.camera.eye; },
         [](Moment& m) { m.scene.camera = orbited(m.scene.camera, -0.3, 0.1); },
         [](Moment& m) { m.how.halfBuffer = true; },
         [](Moment& m) {
@@ -159,11 +162,11 @@ TEST_P(GlSensor, PicturesAfterTheFirstAreThoseOfANewRenderer)
     const auto draw = [this](const Moment& m) {
         const auto done = renderer().render(m.scene, m.settings, m.how);
         EXPECT_TRUE(done) << done.error().sentence();
-        return codes();
+        return std::pair(codes(), renderer().readLinear().rgb);
     };
-    std::vector<std::vector<std::uint8_t>> drawn;
+    std::vector<std::pair<std::vector<std::uint8_t>, std::vector<float>>> drawn;
     Moment moment;
-    draw(moment);
+    static_cast<void>(draw(moment));
     for (const auto& change : changes) {
         change(moment);
         drawn.push_back(draw(moment));
