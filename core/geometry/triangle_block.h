@@ -37,7 +37,10 @@ struct TriangleBlock {
     {
         return {coordinates[k][0][i], coordinates[k][1][i], coordinates[k][2][i]};
     }
-    [[nodiscard]] TriangleSides sides(std::size_t i) const { return {corner(0, i), corner(1, i), corner(2, i)}; }
+    [[nodiscard]] TriangleSides<double> sides(std::size_t i) const
+    {
+        return {corner(0, i), corner(1, i), corner(2, i)};
+    }
 };
 
 /// Calls body(block) for all of `triangles` triangles, from several threads; vertexAt(triangle, corner) is into `positions`.

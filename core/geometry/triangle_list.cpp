@@ -1,7 +1,7 @@
 #include "core/geometry/triangle_list.h"
 
 #include "core/base/parallel.h"
-#include "core/geometry/triangle_block.h"
+#include "core/geometry/triangle_loops.h"
 #include "core/geometry/triangulate.h"
 
 #include <algorithm>
@@ -21,17 +21,6 @@ constexpr std::size_t facesPerRange = 65536;
 bool isFinite(const Vec3d& p)
 {
     return std::fabs(p.x) < farthest && std::fabs(p.y) < farthest && std::fabs(p.z) < farthest;
-}
-
-double extentOf(const Vec3d& a, const Vec3d& b, const Vec3d& c)
-{
-    return std::max(std::max(largestComponent(a), largestComponent(b)), largestComponent(c));
-}
-
-/// To how much the cross product of a triangle's sides is known: each coordinate is known to half a unit in its last place.
-double roundingOf(double extent, double size)
-{
-    return 4.0 * std::numeric_limits<double>::epsilon() * extent * size;
 }
 
 class FaceSorter {
@@ -143,32 +132,11 @@ std::vector<Mesh::Triangle> inThrees(std::vector<Index>& indices, int threads)
     return triangles;
 }
 
-/// The unit normals of a block of triangles; nonsense where they are not plain: of handy size, finite, with an area.
-struct NormalBlock {
-    std::array<TriangleBlock::Numbers, 3> normals;
-    TriangleBlock::Numbers sizes, extents, excess; ///< numbers, and no answers yet: the loop has no branch
-
-    explicit NormalBlock(const TriangleBlock& block)
-    {
-        for (std::size_t i = 0; i < TriangleBlock::capacity; ++i) {
-            const TriangleSides sides = block.sides(i);
-            const Vec3d normal = sides.normal();
-            const double sine = std::sqrt(dot(normal, normal));
-            sizes[i] = sides.size();
-            extents[i] = extentOf(block.corner(0, i), block.corner(1, i), block.corner(2, i));
-            excess[i] = sine - roundingOf(extents[i], sizes[i]);
-            normals[0][i] = normal.x / sine;
-            normals[1][i] = normal.y / sine;
-            normals[2][i] = normal.z / sine;
-        }
-    }
-
-    [[nodiscard]] bool isPlain(std::size_t i) const
-    {
-        return TriangleSides::isHandy(sizes[i]) && extents[i] < farthest && excess[i] > 0.0;
-    }
-    [[nodiscard]] Vec3d normal(std::size_t i) const { return {normals[0][i], normals[1][i], normals[2][i]}; }
-};
+/// Whether nothing more needs to be said of it than its normal.
+bool isPlain(const NormalBlock& found, std::size_t i)
+{
+    return isHandySize(found.sizes[i]) && found.extents[i] < farthest && found.excess[i] > 0.0;
+}
 
 /// The normal of one of which more needs to be said; (0,0,0) where it cannot be drawn.
 Vec3d normalIfFinite(const TriangleBlock& block, std::size_t i)
@@ -187,19 +155,22 @@ std::optional<TriangleList> plainTriangles(PolygonSoup& soup, int threads)
         return std::nullopt;
     TriangleList list;
     list.faceNormals.resize(soup.faceCount());
-    std::atomic<bool> isPlain = true;
+    std::atomic<bool> areAllPlain = true;
     const auto vertexAt = [&](std::size_t face, std::size_t k) { return soup.corners[3 * face + k]; };
     inBlocks(threads, soup.positions, soup.faceCount(), vertexAt, [&](const TriangleBlock& block) {
-        if (!isPlain)
+        if (!areAllPlain)
             return;
-        const NormalBlock found(block);
+        NormalBlock found;
+        triangleLoops().normals(block, found);
         for (std::size_t i = 0; i < block.count; ++i) {
-            list.faceNormals[block.first + i] = found.isPlain(i) ? found.normal(i) : normalIfFinite(block, i);
-            if (list.faceNormals[block.first + i] == Vec3d())
-                isPlain = false;
+            Vec3d& normal = list.faceNormals[block.first + i];
+            normal = isPlain(found, i) ? Vec3d(found.normals[0][i], found.normals[1][i], found.normals[2][i])
+                                       : normalIfFinite(block, i);
+            if (normal == Vec3d())
+                areAllPlain = false;
         }
     });
-    if (!isPlain)
+    if (!areAllPlain)
         return std::nullopt;
     list.normalOfVertex = soup.normalOfVertex;
     list.vertices = inThrees(soup.corners, threads);
@@ -224,12 +195,12 @@ Result<TriangleList> sortedTriangles(const PolygonSoup& soup, ReadContext& conte
 
 Vec3d faceNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c)
 {
-    TriangleSides sides(a, b, c);
+    TriangleSides<double> sides(a, b, c);
     double size = sides.size();
     double extent = extentOf(a, b, c);
     if (!(size > 0.0))
         return {};
-    if (!TriangleSides::isHandy(size)) { // squares of 1e-200 would vanish
+    if (!isHandySize(size)) { // squares of 1e-200 would vanish
         extent /= size;
         for (Vec3d* side : {&sides.ab, &sides.ac, &sides.bc})
             *side = *side / size;

@@ -1,49 +1,68 @@
-// The three sides of a triangle, and the normal that they span.
+// The three sides of a triangle, and the normal that they span: of one, or of as many as a lane holds.
 #pragma once
 
+#include "core/math/number_bits.h"
 #include "core/math/vec.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace reflectance {
 
-[[nodiscard]] inline double largestComponent(const Vec3d& v)
+/// As std::max: the first where they do not compare.
+template <class T> [[nodiscard]] T largerOf(const T& a, const T& b)
 {
-    return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
+    return choose(a < b, b, a);
+}
+
+template <class T> [[nodiscard]] T largestComponent(const Vec3<T>& v)
+{
+    using std::abs;
+    return largerOf(largerOf(T(abs(v.x)), T(abs(v.y))), T(abs(v.z)));
+}
+
+template <class T> [[nodiscard]] T extentOf(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c)
+{
+    return largerOf(largerOf(largestComponent(a), largestComponent(b)), largestComponent(c));
+}
+
+/// To how much the cross product of a triangle's sides is known: each coordinate is known to half a unit in its last place.
+template <class T> [[nodiscard]] T roundingOf(const T& extent, const T& size)
+{
+    return T(4.0 * 2.220446049250313e-16) * extent * size;
 }
 
 /// Written without branches, for loops over many triangles.
-struct TriangleSides {
-    Vec3d ab, ac, bc;
+template <class T> struct TriangleSides {
+    Vec3<T> ab, ac, bc;
 
-    TriangleSides(const Vec3d& a, const Vec3d& b, const Vec3d& c) : ab(b - a), ac(c - a), bc(c - b) {}
+    TriangleSides(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) : ab(b - a), ac(c - a), bc(c - b) {}
 
     /// The longest side, to within a factor of the root of 3.
-    [[nodiscard]] double size() const
-    {
-        return std::max(std::max(largestComponent(ab), largestComponent(ac)), largestComponent(bc));
-    }
-
-    /// Whether products of four lengths neither overflow nor lose digits.
-    [[nodiscard]] static bool isHandy(double size) { return size > 1e-30 && size < 1e30; }
+    [[nodiscard]] T size() const { return extentOf(ab, ac, bc); }
 
     /// Along the normal by the winding, as long as twice the area. The two shorter sides meet at the widest angle, where
     /// the cross product is best conditioned; all three pairs turn the same way.
-    [[nodiscard]] Vec3d normal() const
+    [[nodiscard]] Vec3<T> normal() const
     {
-        const double abab = dot(ab, ab);
-        const double acac = dot(ac, ac);
-        const double bcbc = dot(bc, bc);
-        const bool isAcLongest = acac >= abab && acac >= bcbc;
-        const bool isBcLongest = !isAcLongest && bcbc >= abab;
+        const T abab = dot(ab, ab);
+        const T acac = dot(ac, ac);
+        const T bcbc = dot(bc, bc);
+        const auto isAcLongest = acac >= abab && acac >= bcbc;
+        const auto isBcLongest = !isAcLongest && bcbc >= abab;
         return cross(chosen(isAcLongest || isBcLongest, ab, ac), chosen(isBcLongest, ac, bc));
     }
 
 private:
-    static Vec3d chosen(bool first, const Vec3d& a, const Vec3d& b)
+    template <class Mask> static Vec3<T> chosen(const Mask& first, const Vec3<T>& a, const Vec3<T>& b)
     {
-        return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+        return {choose(first, a.x, b.x), choose(first, a.y, b.y), choose(first, a.z, b.z)};
     }
 };
+
+/// Whether products of four lengths neither overflow nor lose digits.
+[[nodiscard]] inline bool isHandySize(double size)
+{
+    return size > 1e-30 && size < 1e30;
+}
 
 } // namespace reflectance

@@ -1,16 +1,8 @@
 // The models in scalar float, the other forms of the lobe in scalar double, and the choice of lanes for this processor.
+#include "core/base/processor.h"
 #include "core/reflectance/kernel_lists.h"
 
 namespace reflectance {
-namespace {
-
-bool hasAvx2()
-{
-    static const bool has = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-    return has;
-}
-
-} // namespace
 
 std::span<const SpecialRow> specialRows()
 {

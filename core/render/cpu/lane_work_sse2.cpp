@@ -1,8 +1,6 @@
 // Rays and surface points for any x86-64 processor, and the choice for this one.
-#include "core/reflectance/kernel_tables.h"
+#include "core/base/processor.h"
 #include "core/render/cpu/lane_loops.h"
-
-#include <string_view>
 
 namespace reflectance {
 
@@ -14,8 +12,7 @@ const LaneWork& laneWorkSse2()
 
 const LaneWork& laneWork()
 {
-    static const LaneWork& work = std::string_view(lanesName()) == "avx2" ? laneWorkAvx2() : laneWorkSse2();
-    return work;
+    return hasAvx2() ? laneWorkAvx2() : laneWorkSse2();
 }
 
 } // namespace reflectance
