@@ -1,6 +1,7 @@
 #include "core/geometry/assemble.h"
 
 #include "core/base/parallel.h"
+#include "core/geometry/large_pages.h"
 
 #include <algorithm>
 #include <functional>
@@ -89,7 +90,7 @@ std::size_t splitVertices(const PolygonSoup& soup, TriangleList& list, const Cor
 std::size_t numberVertices(const PolygonSoup& soup, TriangleList& list, Mesh& mesh)
 {
     std::vector<Index> meshVertex(soup.positions.size(), PolygonSoup::none);
-    mesh.fileVertex.reserve(soup.positions.size());
+    reserveInLargePages(mesh.fileVertex, soup.positions.size());
     for (Mesh::Triangle& triangle : list.vertices)
         for (Index& v : triangle) {
             Index& known = meshVertex[v];
@@ -155,7 +156,7 @@ double areaOf(const PolygonSoup& soup, const TriangleList& list, int threads)
 
 void placeVertices(const PolygonSoup& soup, Mesh& mesh)
 {
-    mesh.positions.reserve(mesh.fileVertex.size());
+    reserveInLargePages(mesh.positions, mesh.fileVertex.size());
     for (const Index v : mesh.fileVertex)
         mesh.positions.push_back((soup.positions[v] - mesh.placement.centre) / mesh.placement.scale);
 }
@@ -163,7 +164,7 @@ void placeVertices(const PolygonSoup& soup, Mesh& mesh)
 /// Where every file vertex has one.
 void copyNormals(const CornerNormals& normals, Mesh& mesh)
 {
-    mesh.normals.reserve(mesh.fileVertex.size());
+    reserveInLargePages(mesh.normals, mesh.fileVertex.size());
     for (const Index v : mesh.fileVertex)
         mesh.normals.push_back(normals.normals[v]);
 }

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/geometry/corner_angles.h"
 #include "core/geometry/corners_around.h"
+#include "core/geometry/large_pages.h"
 #include "core/geometry/vertex_smoother.h"
 #include "core/geometry/weld.h"
 
@@ -117,7 +118,7 @@ void smoothOneByOne(const SmoothedMesh& mesh, const Around& around, CornerNormal
 std::vector<Index> smoothWhole(const SmoothedMesh& mesh, const CornersAround& around, std::vector<Vec3d>& normals,
                                int threads)
 {
-    normals.resize(around.vertices());
+    resizeInLargePages(normals, around.vertices());
     std::vector<std::vector<Index>> left((around.vertices() + perRange - 1) / perRange);
     inRanges(threads, around.vertices(), perRange, [&](std::size_t range, std::size_t first, std::size_t last) {
         const VertexSmoother smoother(mesh);

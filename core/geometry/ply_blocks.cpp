@@ -1,6 +1,7 @@
 #include "core/geometry/ply_blocks.h"
 
 #include "core/base/parallel.h"
+#include "core/geometry/large_pages.h"
 
 #include <algorithm>
 #include <array>
@@ -82,7 +83,7 @@ void readTriples(const Triple& triple, const char* first, std::size_t stride, in
 /// Makes room for the element's vectors behind those that are there.
 std::span<Vec3d> roomFor(const PlyElement& element, std::vector<Vec3d>& vectors)
 {
-    vectors.resize(vectors.size() + element.count);
+    resizeInLargePages(vectors, vectors.size() + element.count);
     return std::span(vectors).last(element.count);
 }
 
@@ -117,7 +118,7 @@ std::size_t readTriangleBlock(const PlyElement& element, std::string_view bytes,
     if (!isTriangle(element) || element.count > bytes.size() / stride || !soup.faceEnds.empty())
         return 0;
     const std::size_t before = soup.corners.size();
-    soup.corners.resize(before + 3 * element.count);
+    resizeInLargePages(soup.corners, before + 3 * element.count);
     std::atomic<bool> areTriangles = true;
     inRanges(threads, element.count, perRange, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && areTriangles; ++i) {

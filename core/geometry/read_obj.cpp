@@ -1,6 +1,7 @@
 // Reads an OBJ file in parts, on several threads, and puts them together in their order: the result is that of one
 // thread, to the warnings and their lines.
 #include "core/base/parallel.h"
+#include "core/geometry/large_pages.h"
 #include "core/geometry/obj_part.h"
 #include "core/geometry/readers.h"
 
@@ -26,9 +27,9 @@ public:
         constexpr std::uintmax_t fewest = 1U << 20U;
         if (bytes < fewest)
             return;
-        soup_.positions.reserve(static_cast<std::size_t>(bytes / 32));
-        soup_.corners.reserve(static_cast<std::size_t>(bytes / 10));
-        soup_.faceLines.reserve(static_cast<std::size_t>(bytes / 30));
+        reserveInLargePages(soup_.positions, static_cast<std::size_t>(bytes / 32));
+        reserveInLargePages(soup_.corners, static_cast<std::size_t>(bytes / 10));
+        reserveInLargePages(soup_.faceLines, static_cast<std::size_t>(bytes / 30));
     }
 
     void add(const ObjPart& part, Warnings& warnings)

@@ -1,6 +1,7 @@
 #include "core/geometry/triangle_list.h"
 
 #include "core/base/parallel.h"
+#include "core/geometry/large_pages.h"
 #include "core/geometry/triangle_loops.h"
 #include "core/geometry/triangulate.h"
 
@@ -123,7 +124,8 @@ private:
 /// Copies indices, three to a triangle, and gives their memory back.
 std::vector<Mesh::Triangle> inThrees(std::vector<Index>& indices, int threads)
 {
-    std::vector<Mesh::Triangle> triangles(indices.size() / 3);
+    std::vector<Mesh::Triangle> triangles;
+    resizeInLargePages(triangles, indices.size() / 3);
     inRanges(threads, triangles.size(), facesPerRange, [&](std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t t = first; t < last; ++t)
             triangles[t] = {indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]};

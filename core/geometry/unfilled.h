@@ -2,6 +2,8 @@
 // and on one thread.
 #pragma once
 
+#include "core/geometry/large_pages.h"
+
 #include <memory>
 #include <utility>
 #include <vector>
@@ -16,6 +18,13 @@ template <class T> struct UnfilledAllocator : std::allocator<T> {
 
     UnfilledAllocator() = default;
     template <class U> constexpr UnfilledAllocator(const UnfilledAllocator<U>& /*unused*/) noexcept {}
+
+    [[nodiscard]] T* allocate(std::size_t count)
+    {
+        T* const memory = std::allocator<T>::allocate(count);
+        wantLargePages(memory, count * sizeof(T));
+        return memory;
+    }
 
     template <class U> void construct(U* /*unused*/) noexcept {}
     template <class U, class First, class... Rest> void construct(U* place, First&& first, Rest&&... rest)

@@ -1,5 +1,6 @@
 // The angles that weigh smooth normals.
 #include "core/geometry/corner_angles.h"
+#include "core/geometry/triangle_loops.h"
 
 #include <cstring>
 #include <gmock/gmock.h>
@@ -94,6 +95,38 @@ TEST(CornerAngles, DoNotDependOnTheNumberOfThreads)
     const auto alone = cornerAngles(positions, triangles);
     const auto together = cornerAngles(positions, triangles, 5);
     EXPECT_EQ(std::memcmp(alone.data(), together.data(), alone.size() * sizeof alone[0]), 0);
+}
+
+/// Every processor has the same mesh: what lanes of two and of four give for a block is what one gives.
+TEST(TriangleLoops, GiveTheSameBitsInEveryLane)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> exponent(-40.0, 40.0);
+    AngleBlock angles[2];
+    NormalBlock normals[2];
+    for (int round = 0; round < 200; ++round) {
+        TriangleBlock block;
+        for (auto& corner : block.coordinates)
+            for (auto& axis : corner)
+                for (double& number : axis)
+                    number = round % 2 == 0 ? randomPoint(random).x : std::exp2(exponent(random));
+        block.coordinates[1][0][0] = std::numeric_limits<double>::quiet_NaN();
+        triangleLoopsSse2().angles(block, angles[0]);
+        triangleLoopsSse2().normals(block, normals[0]);
+        triangleLoops().angles(block, angles[1]);
+        triangleLoops().normals(block, normals[1]);
+        EXPECT_EQ(std::memcmp(&angles[0], &angles[1], sizeof angles[0]), 0);
+        EXPECT_EQ(std::memcmp(&normals[0], &normals[1], sizeof normals[0]), 0);
+        for (std::size_t i = 1; i < TriangleBlock::capacity; ++i) {
+            const TriangleSides<double> sides = block.sides(i);
+            const Vec3d n = sides.normal();
+            ASSERT_EQ(angles[0].angles[0][i], angleOf(std::sqrt(dot(n, n)), dot(sides.ab, sides.ac)));
+            ASSERT_EQ(normals[0].normals[1][i], n.y / std::sqrt(dot(n, n)));
+            ASSERT_EQ(normals[0].sizes[i], sides.size());
+        }
+    }
+    normals[1].normals[2][5] = std::nextafter(normals[1].normals[2][5], 2.0);
+    EXPECT_NE(std::memcmp(&normals[0], &normals[1], sizeof normals[0]), 0) << "a planted bit";
 }
 
 } // namespace
