@@ -380,6 +380,82 @@ void addVariantOptions(CLI::App& verb, Options& options)
         ->capture_default_str();
 }
 
+/// Points in the picture: what happens there, and what shall.
+void addPoints(CLI::App& verb, Options& options)
+{
+    verb.add_option("--probe", options.probe,
+                    "X,Y in pixels: no picture, but what happens at this point, from the lights to the code value");
+    verb.add_option(
+            "--highlight-at", options.highlightAt,
+            "X,Y[,LIGHT] in pixels: that light (from 1; the first that is on) moves so that its highlight peaks "
+            "there, R.V = 1; where the surface has none, N.L = 1")
+        ->excludes(verb.get_option("--probe"));
+    verb.add_option(
+            "--edge-at", options.edgeAt,
+            "X,Y[,LIGHT] in pixels: the number of the model that makes its highlight wide or narrow (n, alpha, m) "
+            "becomes the one with which that light's highlight has half its height there; after --highlight-at")
+        ->excludes(verb.get_option("--probe"));
+}
+
+/// By what the picture is computed.
+void addWays(CLI::App& verb, Options& options)
+{
+    verb.add_option(
+            "--backend", options.backend,
+            "auto (GL on a graphics card; without one what is sooner done, tried once per size of picture), gl or cpu")
+        ->check(CLI::IsMember({"auto", "gl", "cpu"}))
+        ->capture_default_str();
+    verb.add_option("--precision", options.precision, "double, float or simd choose the CPU renderer, glsl the GL one")
+        ->check(CLI::IsMember({"double", "float", "simd", "glsl"}));
+    verb.add_option("--context", options.context, "GL context: any, osmesa or egl")
+        ->check(CLI::IsMember({"any", "osmesa", "egl"}))
+        ->capture_default_str();
+    verb.add_option("--shading", options.shading,
+                    "where the model is evaluated: pixel (at every sample, the default), fragment (once per "
+                    "triangle in a pixel, as multisampling does), once (per pixel), vertex "
+                    "(interpolated over triangles; CPU) or face (CPU)")
+        ->check(CLI::IsMember({"pixel", "fragment", "once", "vertex", "face"}));
+    verb.add_option("--lobe", options.lobe,
+                    "how a highlight's (R.V)^n is computed: conditioned (right, the default), power, squarings (whole "
+                    "n), truncated, schlick or table");
+    verb.add_flag("--no-cache", options.noCache,
+                  "neither use nor keep linked shaders and measured backends; auto is then GL where there is one");
+    verb.add_flag("--no-specialise", options.general,
+                  "run the general shader or kernel: terms that are 0 are computed too, for comparison");
+    verb.add_option("--frames", options.frames, "shade this often and report the median time")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+}
+
+/// What of it is seen.
+void addParts(CLI::App& verb, Options& options)
+{
+    verb.add_option("--lens", options.lens,
+                    "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
+        ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));
+    addVariantOptions(verb, options);
+    verb.add_option(
+        "--term", options.term,
+        "what of the picture is seen alone: diffuse, specular or another term of the formula, offdiagonal (of "
+        "K), light:N, or all; the scene that the picture carries stays whole");
+}
+
+/// What else is told of it.
+void addFigures(CLI::App& verb, Options& options)
+{
+    verb.add_option("--reference", options.reference, "picture to compare with: exit 0 if within --threshold, else 1");
+    verb.add_option("--threshold", options.threshold, "largest linear difference that still holds")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    CLI::Option* waterfall = verb.add_flag(
+        "--waterfall", options.waterfall,
+        "how much of the difference from the truth comes from geometry, model, precision, sensor and encoding");
+    verb.add_option("--truth", options.truth,
+                    "scene file whose mesh and surface are the truth of --waterfall (default: the scene's own)")
+        ->needs(waterfall);
+    verb.add_option("--json", options.json, "figures about the picture, to a file or - for standard output");
+}
+
 } // namespace
 
 void addRender(CLI::App& program, int& exitCode)
@@ -389,64 +465,10 @@ void addRender(CLI::App& program, int& exitCode)
     addSceneOptions(*verb, options->scene);
     verb->add_option("--out", options->out,
                      "picture to write: .png (after the sensor), .exr or .pfm (linear, before it)");
-    verb->add_option("--probe", options->probe,
-                     "X,Y in pixels: no picture, but what happens at this point, from the lights to the code value");
-    verb->add_option(
-            "--highlight-at", options->highlightAt,
-            "X,Y[,LIGHT] in pixels: that light (from 1; the first that is on) moves so that its highlight peaks "
-            "there, R.V = 1; where the surface has none, N.L = 1")
-        ->excludes(verb->get_option("--probe"));
-    verb->add_option(
-            "--edge-at", options->edgeAt,
-            "X,Y[,LIGHT] in pixels: the number of the model that makes its highlight wide or narrow (n, alpha, m) "
-            "becomes the one with which that light's highlight has half its height there; after --highlight-at")
-        ->excludes(verb->get_option("--probe"));
-    verb->add_option(
-            "--backend", options->backend,
-            "auto (GL on a graphics card; without one what is sooner done, tried once per size of picture), gl or cpu")
-        ->check(CLI::IsMember({"auto", "gl", "cpu"}))
-        ->capture_default_str();
-    verb->add_option("--precision", options->precision,
-                     "double, float or simd choose the CPU renderer, glsl the GL one")
-        ->check(CLI::IsMember({"double", "float", "simd", "glsl"}));
-    verb->add_option("--context", options->context, "GL context: any, osmesa or egl")
-        ->check(CLI::IsMember({"any", "osmesa", "egl"}))
-        ->capture_default_str();
-    verb->add_option("--shading", options->shading,
-                     "where the model is evaluated: pixel (at every sample, the default), fragment (once per "
-                     "triangle in a pixel, as multisampling does), once (per pixel), vertex "
-                     "(interpolated over triangles; CPU) or face (CPU)")
-        ->check(CLI::IsMember({"pixel", "fragment", "once", "vertex", "face"}));
-    verb->add_option("--lobe", options->lobe,
-                     "how a highlight's (R.V)^n is computed: conditioned (right, the default), power, squarings (whole "
-                     "n), truncated, schlick or table");
-    verb->add_flag("--no-cache", options->noCache,
-                   "neither use nor keep linked shaders and measured backends; auto is then GL where there is one");
-    verb->add_flag("--no-specialise", options->general,
-                   "run the general shader or kernel: terms that are 0 are computed too, for comparison");
-    verb->add_option("--lens", options->lens,
-                     "paint the digits that float, half, simd or glsl keep of double, instead of the view (PNG)")
-        ->check(CLI::IsMember({"float", "half", "simd", "glsl"}));
-    addVariantOptions(*verb, *options);
-    verb->add_option(
-        "--term", options->term,
-        "what of the picture is seen alone: diffuse, specular or another term of the formula, offdiagonal (of "
-        "K), light:N, or all; the scene that the picture carries stays whole");
-    verb->add_option("--frames", options->frames, "shade this often and report the median time")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
-    verb->add_option("--reference", options->reference,
-                     "picture to compare with: exit 0 if within --threshold, else 1");
-    verb->add_option("--threshold", options->threshold, "largest linear difference that still holds")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    CLI::Option* waterfall = verb->add_flag(
-        "--waterfall", options->waterfall,
-        "how much of the difference from the truth comes from geometry, model, precision, sensor and encoding");
-    verb->add_option("--truth", options->truth,
-                     "scene file whose mesh and surface are the truth of --waterfall (default: the scene's own)")
-        ->needs(waterfall);
-    verb->add_option("--json", options->json, "figures about the picture, to a file or - for standard output");
+    addPoints(*verb, *options);
+    addWays(*verb, *options);
+    addParts(*verb, *options);
+    addFigures(*verb, *options);
     verb->callback([options, &exitCode] { exitCode = run(*options); });
 }
 

@@ -149,7 +149,7 @@ Image cropped(const Image& image, const Region& region)
     for (int y = 0; y < height; ++y) {
         std::copy_n(image.at(left, top + y), 3 * static_cast<std::ptrdiff_t>(width), part.at(0, y));
         for (int x = 0; x < width && !image.coverage.empty(); ++x)
-            part.coverage[static_cast<std::size_t>(y * width + x)] =
+            part.coverage[Image::pixelCount(width, y) + static_cast<std::size_t>(x)] =
                 image.coverage[Image::pixelCount(image.width, top + y) + static_cast<std::size_t>(left + x)];
     }
     return part;
