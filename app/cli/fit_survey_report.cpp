@@ -1,6 +1,7 @@
 // The figures of `fit --all`.
 #include "app/cli/fit_report.h"
 #include "core/base/text.h"
+#include "core/math/quantile.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -14,15 +15,6 @@ using Json = nlohmann::ordered_json;
 const char* nameOf(ServedBy served)
 {
     return served == ServedBy::Lambert ? "lambert" : served == ServedBy::Hybrid ? "hybrid" : "neither";
-}
-
-double median(std::vector<double> numbers)
-{
-    if (numbers.empty())
-        return 0.0;
-    std::sort(numbers.begin(), numbers.end());
-    const std::size_t half = numbers.size() / 2;
-    return numbers.size() % 2 != 0 ? numbers[half] : 0.5 * (numbers[half - 1] + numbers[half]);
 }
 
 std::size_t countBest(const Survey& survey, std::size_t candidate)
@@ -68,7 +60,7 @@ void print(const Survey& survey, double tolerance)
         const FittedModel& candidate = survey.candidates[i];
         const std::vector<double> errors = errorsOf(survey, candidate.label);
         const auto within = std::count_if(errors.begin(), errors.end(), [&](double e) { return e <= tolerance; });
-        std::printf("%-24s %9.3g%% %10zu %12zu %12.3g %12.3g\n", candidate.label.c_str(), 100.0 * median(errors),
+        std::printf("%-24s %9.3g%% %10zu %12zu %12.3g %12.3g\n", candidate.label.c_str(), 100.0 * medianOf(errors),
                     static_cast<std::size_t>(within), countBest(survey, i), candidate.nsDouble, candidate.nsSimd);
     }
     std::printf("\n%zu surfaces: within %.3g %%, Lambert serves %zu, only the hybrid %zu, neither %zu\n",

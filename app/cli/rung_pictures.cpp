@@ -1,6 +1,7 @@
 #include "app/cli/rung_pictures.h"
 
 #include "app/explorer/shown_picture.h"
+#include "core/math/quantile.h"
 #include "core/study/cost/timing.h"
 #include "core/study/trade/workshop.h"
 
@@ -69,7 +70,7 @@ Result<Rendered> RungPictures::drawn(const Recipe& recipe, std::shared_ptr<const
     rendered.backend = recipe.onGl() ? "gl (" + std::string(context_->name()) + ")" : "cpu";
     rendered.precision = nameWithLanes(recipe.precision);
     rendered.firstFrameMilliseconds = workshop.meshMilliseconds() + prepared->lookMilliseconds + first;
-    rendered.shadingMilliseconds = medianTime(std::move(times));
+    rendered.shadingMilliseconds = medianOf(std::move(times));
     return rendered;
 }
 

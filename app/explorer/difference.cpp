@@ -4,6 +4,7 @@
 #include "core/image/colour_difference.h"
 #include "core/image/compare.h"
 #include "core/image/flip.h"
+#include "core/math/quantile.h"
 
 #include <algorithm>
 #include <array>
@@ -23,17 +24,6 @@ std::vector<std::size_t> coveredPixels(const Image& image)
     return covered;
 }
 
-/// The value that `share` of the numbers do not exceed; reorders them.
-double quantile(std::vector<double>& numbers, double share)
-{
-    if (numbers.empty())
-        return 0.0;
-    const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(numbers.size()))) - 1;
-    const auto place = numbers.begin() + static_cast<std::ptrdiff_t>(std::min(rank, numbers.size() - 1));
-    std::nth_element(numbers.begin(), place, numbers.end());
-    return *place;
-}
-
 double largestOf(const Image& a, const Image& b, std::size_t pixel)
 {
     double largest = 0.0;
@@ -50,7 +40,7 @@ double scaleFor(const Image& a, const Image& b, const std::vector<std::size_t>& 
     for (const std::size_t pixel : covered)
         if (const double distance = largestOf(a, b, pixel); std::isfinite(distance))
             distances.push_back(distance);
-    return roundScale(quantile(distances, 0.99));
+    return roundScale(leastCovering(std::move(distances), 0.99));
 }
 
 Lab labAt(const Image& image, std::size_t pixel, float exposed)
@@ -90,7 +80,7 @@ bool perceive(const Image& a, const Image& b, const std::vector<std::size_t>& co
         errors.push_back(deltaE2000(labAt(a, pixel, exposed), labAt(b, pixel, exposed)));
     }
     figures.deltaEMax = errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
-    figures.deltaEP95 = quantile(errors, 0.95);
+    figures.deltaEP95 = leastCovering(std::move(errors), 0.95);
     figures.flipMean = flipOver(covered, a, b, exposed);
     return true;
 }

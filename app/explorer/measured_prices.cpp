@@ -1,6 +1,7 @@
 #include "app/explorer/measured_prices.h"
 
 #include "core/image/compare.h"
+#include "core/math/quantile.h"
 #include "core/scene/requirements.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ struct Shaded {
     Image image;
     double milliseconds = 0.0, generalMilliseconds = 0.0;
 };
-
-double median(std::vector<double> times)
-{
-    std::sort(times.begin(), times.end());
-    return times.empty() ? 0.0 : times[times.size() / 2];
-}
 
 /// The median of a few; one alone where it took long, for then it is not the clock that is coarse. Where the general path is
 /// asked for too, the two take turns.
@@ -43,8 +38,8 @@ Shaded shadedOnCpu(const ViewSamples& samples, const Scene& scene, Precision pre
         if (times.back() > 100.0)
             break;
     }
-    shaded.milliseconds = median(std::move(times));
-    shaded.generalMilliseconds = median(std::move(general));
+    shaded.milliseconds = medianOf(std::move(times));
+    shaded.generalMilliseconds = medianOf(std::move(general));
     return shaded;
 }
 

@@ -1,6 +1,7 @@
 #include "core/image/perceived.h"
 
 #include "core/base/check.h"
+#include "core/math/quantile.h"
 
 #include <algorithm>
 #include <future>
@@ -38,10 +39,7 @@ PerceivedDifference PerceivedReference::to(const Image& test) const
         return result;
     result.deltaEMean = std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
     result.deltaEMax = *std::max_element(errors.begin(), errors.end());
-    // The smallest error that at least 95 % of the pixels do not exceed.
-    const std::size_t rank = (errors.size() * 95 + 99) / 100 - 1;
-    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(rank), errors.end());
-    result.deltaEP95 = errors[rank];
+    result.deltaEP95 = leastCovering(std::move(errors), 0.95);
     return result;
 }
 

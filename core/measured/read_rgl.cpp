@@ -177,8 +177,8 @@ void RglReader::readDescription()
     provenance.format = fields_.contains("spectra") ? "RGL BSDF (spectra)" : "RGL BSDF (rgb)";
     provenance.convention = "BRDF x cos(theta_r), over squares warped by the visible normals; radians";
     if (provenance.negatives > 0)
-        provenance.warnings.push_back("negative numbers (colours outside sRGB) count as 0 when the surface is "
-                                      "evaluated, as the format's authors do");
+        provenance.warnings.emplace_back("negative numbers (colours outside sRGB) count as 0 when the surface is "
+                                         "evaluated, as the format's authors do");
 }
 
 } // namespace

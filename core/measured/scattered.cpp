@@ -130,7 +130,7 @@ std::vector<double> distanceWeights(const std::vector<Neighbour>& found)
 std::vector<double> planeWeights(const std::vector<Angles>& points, const std::vector<Neighbour>& found,
                                  const Angles& at)
 {
-    const std::vector<double> weights = distanceWeights(found);
+    std::vector<double> weights = distanceWeights(found);
     double matrix[4][4] = {};
     for (std::size_t n = 0; n < found.size(); ++n) {
         const Angles& p = points[found[n].sample];

@@ -92,7 +92,7 @@ std::vector<std::string> leftOut(const Scene& scene)
     if (!model.text.usesEnvironment && !isBlack(scene.environment))
         notes.push_back("environment: " + model.text.name + " is lit by the lights alone");
     if (model.text.usesTable && !scene.surface.table)
-        notes.push_back("surface: no measurement is loaded, so it is black");
+        notes.emplace_back("surface: no measurement is loaded, so it is black");
     for (const Light& light : scene.lights) {
         if (!light.on)
             notes.push_back("light '" + light.name + "': switched off");

@@ -12,16 +12,17 @@ struct FieldReader {
     ObjectReader* object;
     const FileNames* resolve;
 
-    void number(const char* key, double& value, double low, double high) { object->read(key, value, low, high); }
-    void whole(const char* key, int& value, int low, int high) { object->read(key, value, low, high); }
-    void flag(const char* key, bool& value) { object->read(key, value); }
-    void vector(const char* key, Vec3d& value, double low) { object->read(key, value, low); }
-    void matrix(const char* key, std::array<double, 9>& value) { object->read(key, value); }
-    template <class T, std::size_t count> void choice(const char* key, const NamedValue<T> (&names)[count], T& value)
+    void number(const char* key, double& value, double low, double high) const { object->read(key, value, low, high); }
+    void whole(const char* key, int& value, int low, int high) const { object->read(key, value, low, high); }
+    void flag(const char* key, bool& value) const { object->read(key, value); }
+    void vector(const char* key, Vec3d& value, double low) const { object->read(key, value, low); }
+    void matrix(const char* key, std::array<double, 9>& value) const { object->read(key, value); }
+    template <class T, std::size_t count>
+    void choice(const char* key, const NamedValue<T> (&names)[count], T& value) const
     {
         object->readNamed(key, names, value);
     }
-    void curve(const char* key, Response& response)
+    void curve(const char* key, Response& response) const
     {
         const ResponseKind kind = response.kind;
         std::string file;
@@ -55,16 +56,17 @@ struct FieldWriter {
     Json* json;
     const FileNames* shorten;
 
-    void number(const char* key, double value, double, double) { (*json)[key] = value; }
-    void whole(const char* key, int value, int, int) { (*json)[key] = value; }
-    void flag(const char* key, bool value) { (*json)[key] = value; }
-    void vector(const char* key, const Vec3d& v, double) { (*json)[key] = Json::array({v.x, v.y, v.z}); }
-    void matrix(const char* key, const std::array<double, 9>& value) { (*json)[key] = value; }
-    template <class T, std::size_t count> void choice(const char* key, const NamedValue<T> (&names)[count], T value)
+    void number(const char* key, double value, double, double) const { (*json)[key] = value; }
+    void whole(const char* key, int value, int, int) const { (*json)[key] = value; }
+    void flag(const char* key, bool value) const { (*json)[key] = value; }
+    void vector(const char* key, const Vec3d& v, double) const { (*json)[key] = Json::array({v.x, v.y, v.z}); }
+    void matrix(const char* key, const std::array<double, 9>& value) const { (*json)[key] = value; }
+    template <class T, std::size_t count>
+    void choice(const char* key, const NamedValue<T> (&names)[count], T value) const
     {
         (*json)[key] = nameOf(names, value);
     }
-    void curve(const char* key, const Response& response)
+    void curve(const char* key, const Response& response) const
     {
         if (!response.file.empty())
             (*json)[key] = (*shorten)(response.file);

@@ -67,7 +67,7 @@ std::array<float, 3 * falseColorBands> falseColors()
 {
     std::array<float, 3 * falseColorBands> colors{};
     for (std::size_t band = 0; band < falseColorBands; ++band) {
-        const ChartColor color = sequentialColor(static_cast<double>(band) / (falseColorBands - 1));
+        const ChartColor color = sequentialColor(static_cast<double>(band) / static_cast<double>(falseColorBands - 1));
         for (std::size_t c = 0; c < 3; ++c)
             colors[3 * band + c] = static_cast<float>((color >> (16 - 8 * c)) & 0xFFU) / 255.0F;
     }

@@ -6,7 +6,7 @@
 namespace reflectance {
 
 /// Bands of the false colours, one per stop, the first for all that is darker, the last for all that is brighter.
-inline constexpr int falseColorBands = 12;
+inline constexpr std::size_t falseColorBands = 12;
 inline constexpr int lowestStop = -8; ///< where the second band begins, stops from white
 
 struct SensorInputs {

@@ -15,6 +15,7 @@ struct ResponseCurve {
     std::vector<double> numbers; ///< the same, for what runs in double
 
     [[nodiscard]] int count() const { return static_cast<int>(texels.size() / 4); }
+    friend bool operator==(const ResponseCurve&, const ResponseCurve&) = default;
 };
 
 /// CSV: light, then one response or red, green and blue, on every line; a first line of names and lines that start with

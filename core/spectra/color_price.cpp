@@ -2,6 +2,7 @@
 
 #include "core/base/check.h"
 #include "core/image/colour_difference.h"
+#include "core/math/quantile.h"
 #include "core/spectra/builtin.h"
 
 #include <algorithm>
@@ -162,16 +163,6 @@ ColorError colorError(const Mat3d& toXyz, const Vec3d& truth, const Vec3d& cheat
     return error;
 }
 
-double percentile(std::vector<double> values, double share)
-{
-    CHECK_LT(std::size_t{0}, values.size());
-    std::sort(values.begin(), values.end());
-    const double place = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
-}
-
 std::vector<CheatPrice> pricesOfCheats(const ColorSystem& system, const std::vector<JudgedSurface>& surfaces,
                                        const std::vector<JudgedLight>& lights)
 {
@@ -189,7 +180,7 @@ std::vector<CheatPrice> pricesOfCheats(const ColorSystem& system, const std::vec
         if (!price.each.empty()) {
             price.mean =
                 std::accumulate(price.each.begin(), price.each.end(), 0.0) / static_cast<double>(price.each.size());
-            price.p95 = percentile(price.each, 0.95);
+            price.p95 = quantileOf(price.each, 0.95);
         }
         prices.push_back(std::move(price));
     }

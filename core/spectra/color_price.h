@@ -76,7 +76,4 @@ struct CheatPrice {
                                                      const std::vector<JudgedSurface>& surfaces,
                                                      const std::vector<JudgedLight>& lights);
 
-/// The value below which the share lies, linear between order statistics; the list must not be empty.
-[[nodiscard]] double percentile(std::vector<double> values, double share);
-
 } // namespace reflectance

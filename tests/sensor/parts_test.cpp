@@ -181,10 +181,9 @@ TEST(SensorParts, FalseColoursChangeEveryStop)
     const auto colors = falseColors();
     const auto bandAt = [&](double value) {
         const Vec3d color = through(sensor, value);
-        for (int band = 0; band < falseColorBands; ++band)
-            if (color.x == double{colors[3 * static_cast<std::size_t>(band)]} &&
-                color.y == double{colors[3 * static_cast<std::size_t>(band) + 1]})
-                return band;
+        for (std::size_t band = 0; band < falseColorBands; ++band)
+            if (color.x == double{colors[3 * band]} && color.y == double{colors[3 * band + 1]})
+                return static_cast<int>(band);
         return -1;
     };
     EXPECT_EQ(bandAt(0.0), 0);
@@ -194,7 +193,7 @@ TEST(SensorParts, FalseColoursChangeEveryStop)
         EXPECT_EQ(bandAt(std::ldexp(1.0 + 1e-6, stop)), stop - lowestStop + 1);
         EXPECT_EQ(bandAt(std::ldexp(1.0 - 1e-6, stop)), stop - lowestStop);
     }
-    EXPECT_EQ(bandAt(1e9), falseColorBands - 1);
+    EXPECT_EQ(bandAt(1e9), static_cast<int>(falseColorBands) - 1);
 }
 
 TEST(SensorParts, MarksPaintWhatCannotBeShown)

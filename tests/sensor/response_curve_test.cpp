@@ -58,6 +58,15 @@ TEST(ResponseCurve, AGammaAsAFileIsThatGamma)
         EXPECT_NEAR(at(sensor, light).x, std::pow(light, 1.0 / 2.2), 3e-6);
 }
 
+TEST(ResponseCurve, ReadTwiceIsOneCurve)
+{
+    EXPECT_TRUE(withCurve("0,0\n0.25,0.5\n1,1\n") == withCurve("0,0\n0.25,0.5\n1,1\n"));
+    EXPECT_FALSE(withCurve("0,0\n0.25,0.5\n1,1\n") == withCurve("0,0\n0.25,0.6\n1,1\n"));
+    Sensor none = withCurve("0,0\n1,1\n");
+    none.response.curve = nullptr;
+    EXPECT_FALSE(none == withCurve("0,0\n1,1\n"));
+}
+
 struct BadCurve {
     const char* csv;
     const char* sentence;

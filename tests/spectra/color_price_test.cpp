@@ -156,13 +156,5 @@ TEST(ColorStudy, WhiteIsShownWhite)
     EXPECT_LT(length(displayed(toXyz, 0.5 * seen, seen) - Vec3d(0.5)), 1e-13);
 }
 
-TEST(Percentile, IsLinearBetweenOrderStatistics)
-{
-    EXPECT_EQ(percentile({3.0}, 0.95), 3.0);
-    EXPECT_EQ(percentile({4, 1, 3, 2, 5}, 0.5), 3.0);
-    EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2, 5}, 0.95), 4.8);
-    EXPECT_EQ(percentile({4, 1, 3, 2, 5}, 1.0), 5.0);
-}
-
 } // namespace
 } // namespace reflectance

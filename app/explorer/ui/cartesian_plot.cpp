@@ -30,9 +30,9 @@ std::string labelWithin(const std::string& label, float width)
 {
     const std::size_t clause = label.find(';');
     ImGui::PushFont(face(Face::Small));
-    const std::string shown = sizeIn(Face::Small, label).x > width && clause != std::string::npos
-                                  ? elided(label.substr(0, clause) + ")", width)
-                                  : elided(label, width);
+    std::string shown = sizeIn(Face::Small, label).x > width && clause != std::string::npos
+                            ? elided(label.substr(0, clause) + ")", width)
+                            : elided(label, width);
     ImGui::PopFont();
     return shown;
 }

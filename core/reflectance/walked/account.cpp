@@ -61,7 +61,7 @@ public:
         AccountLine line;
         line.line = statement.line;
         line.name = "if";
-        line.notes.push_back(taken ? "holds" : "does not hold");
+        line.notes.emplace_back(taken ? "holds" : "does not hold");
         write(walker, statement.value, line);
     }
 

@@ -1,5 +1,6 @@
 #include "core/render/pictures/render_picture.h"
 
+#include "core/math/quantile.h"
 #include "core/reflectance/kernel_tables.h"
 #include "core/render/cpu/cpu_renderer.h"
 #include "core/render/gl/gl_renderer.h"
@@ -34,8 +35,8 @@ template <class Shade> void timeShadings(const RenderPlan& plan, Shade shade, Re
             general.push_back(shade(false));
         asPlanned.push_back(shade(plan.specialised));
     }
-    rendered.shadingMilliseconds = medianTime(std::move(asPlanned));
-    rendered.generalMilliseconds = medianTime(std::move(general));
+    rendered.shadingMilliseconds = medianOf(std::move(asPlanned));
+    rendered.generalMilliseconds = medianOf(std::move(general));
 }
 
 /// Shades `plan.frames` times what was sampled once.
@@ -132,14 +133,6 @@ std::string nameWithLanes(Precision precision)
     if (precision == Precision::Simd)
         name += std::string(" (") + lanesName() + ")";
     return name;
-}
-
-double medianTime(std::vector<double> times)
-{
-    if (times.empty())
-        return 0.0;
-    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-    return times[times.size() / 2];
 }
 
 ContextKind contextNamed(std::string_view name)

@@ -25,9 +25,9 @@ struct RenderPlan {
     int frames = 1;              ///< shadings; more than one for timing
     Place place = Place::Sample; ///< where the model is evaluated; the GL renderer knows Sample, Fragment and Pixel
     LobeForm lobe = LobeForm::Conditioned;
-    bool specialised = true;        ///< see Arithmetic
+    bool specialised = true;             ///< see Arithmetic
     std::filesystem::path programs = {}; ///< where linked shader programs are kept; empty: nowhere
-    bool alsoGeneral = false;       ///< time the general path as well, with more than one frame
+    bool alsoGeneral = false;            ///< time the general path as well, with more than one frame
 };
 
 struct Rendered {
@@ -46,9 +46,6 @@ struct Rendered {
 
 /// "double", "simd (avx2)".
 [[nodiscard]] std::string nameWithLanes(Precision precision);
-
-/// 0 of none.
-[[nodiscard]] double medianTime(std::vector<double> times);
 
 /// "osmesa" and "egl"; anything else is Any.
 [[nodiscard]] ContextKind contextNamed(std::string_view name);

@@ -1,6 +1,7 @@
 #include "core/render/spectral/spectral_renderer.h"
 
 #include "core/base/check.h"
+#include "core/math/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ PicturePrice priceOf(const Image& truth, const Image& cheat, const Mat3d& toXyz,
         return price;
     price.mean = std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
     price.max = *std::max_element(errors.begin(), errors.end());
-    price.p95 = percentile(std::move(errors), 0.95);
+    price.p95 = quantileOf(std::move(errors), 0.95);
     return price;
 }
 

@@ -1,6 +1,7 @@
 #include "core/study/fit/fit.h"
 
 #include "core/base/text.h"
+#include "core/math/quantile.h"
 #include "core/study/fit/solve.h"
 #include "core/study/fit/spread.h"
 #include "core/study/fit/warnings.h"
@@ -102,9 +103,7 @@ double robustScaleOf(std::vector<double> residuals)
 {
     for (double& r : residuals)
         r = std::fabs(r);
-    const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-    std::nth_element(residuals.begin(), middle, residuals.end());
-    return huberThreshold * deviationFromMedian * *middle;
+    return huberThreshold * deviationFromMedian * medianOf(std::move(residuals));
 }
 
 void setFigures(FitResult& result, const Residuals& residuals, const std::vector<double>& flat, std::size_t unknowns)

@@ -81,7 +81,7 @@ Observations greyOf(const Observations& observations)
         for (ObservedLight& light : row.lights)
             light.I = Vec3d(1.0);
         grey.rows.push_back(std::move(row));
-        grey.seen.push_back({mean, 0.0, 0.0});
+        grey.seen.emplace_back(mean, 0.0, 0.0);
         grey.cosine.push_back(observations.cosine[i]);
     }
     return grey;

@@ -1,5 +1,6 @@
 #include "core/study/fit/residuals.h"
 
+#include "core/math/quantile.h"
 #include "core/reflectance/evaluate.h"
 
 #include <algorithm>
@@ -31,9 +32,7 @@ double tenthOfMedian(std::vector<double> numbers)
         return 1.0;
     for (double& number : numbers)
         number = std::fabs(number);
-    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-    std::nth_element(numbers.begin(), middle, numbers.end());
-    return std::max(0.1 * *middle, 1e-12); // of data that are mostly 0
+    return std::max(0.1 * medianOf(std::move(numbers)), 1e-12); // of data that are mostly 0
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "core/math/quantile.h"
 #include "core/study/fit/survey_page.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ double leastError(const SurveyedSurface& surface)
         if (fit)
             least = std::min(least, fit->relativeRms);
     return least;
-}
-
-double medianOf(std::vector<double> numbers)
-{
-    std::sort(numbers.begin(), numbers.end());
-    return numbers.empty() ? 0.0 : numbers[numbers.size() / 2];
 }
 
 /// A staircase: how many errors lie within each tolerance.

@@ -1,6 +1,7 @@
 #include "core/study/fit/survey_page.h"
 
 #include "core/base/text.h"
+#include "core/math/quantile.h"
 
 #include <algorithm>
 #include <array>
@@ -119,14 +120,6 @@ std::string dataText(const Survey& survey, double tolerance)
     return text + "\n";
 }
 
-double quantile(std::vector<double> errors, double share)
-{
-    std::sort(errors.begin(), errors.end());
-    if (errors.empty())
-        return HUGE_VAL;
-    return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1) + 0.5)];
-}
-
 std::string modelsText(const Survey& survey, double tolerance)
 {
     std::string text =
@@ -135,10 +128,11 @@ std::string modelsText(const Survey& survey, double tolerance)
     for (std::size_t i = 0; i < survey.candidates.size(); ++i) {
         const FittedModel& candidate = survey.candidates[i];
         const std::vector<double> errors = errorsOf(survey, candidate.label);
+        const auto error = [&](double share) { return errors.empty() ? HUGE_VAL : quantileOf(errors, share); };
         const auto within = std::count_if(errors.begin(), errors.end(), [&](double e) { return e <= tolerance; });
         const auto best = std::count_if(survey.surfaces.begin(), survey.surfaces.end(),
                                         [&](const SurveyedSurface& s) { return bestByBic(s) == std::optional(i); });
-        text += row({"`" + candidate.label + "`", percent(quantile(errors, 0.5)), percent(quantile(errors, 0.9)),
+        text += row({"`" + candidate.label + "`", percent(error(0.5)), percent(error(0.9)),
                      count(static_cast<std::size_t>(within)), count(static_cast<std::size_t>(best)),
                      general(candidate.nsDouble, 3), general(candidate.nsSimd, 3)});
     }

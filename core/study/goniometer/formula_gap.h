@@ -29,6 +29,6 @@ struct FormulaGap {
 struct GreyCell {
     double f = 0.0, error = 0.0;
 };
-[[nodiscard]] GreyCell greyOf(const LabRun& run, std::size_t cell);
+[[nodiscard]] GreyCell greyOf(const LabRun& run, std::size_t index);
 
 } // namespace reflectance

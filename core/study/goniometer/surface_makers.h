@@ -7,9 +7,9 @@
 namespace reflectance {
 
 [[nodiscard]] Result<std::vector<Patch>> makeFlat(std::string_view words);
-[[nodiscard]] Result<std::vector<Patch>> makeVGrooves(std::string_view words);
-[[nodiscard]] Result<std::vector<Patch>> makeGaussian(std::string_view words);
-[[nodiscard]] Result<std::vector<Patch>> makeScratches(std::string_view words);
+[[nodiscard]] Result<std::vector<Patch>> makeVGrooves(std::string_view text);
+[[nodiscard]] Result<std::vector<Patch>> makeGaussian(std::string_view text);
+[[nodiscard]] Result<std::vector<Patch>> makeScratches(std::string_view text);
 [[nodiscard]] Result<std::vector<Patch>> patchesFromPicture(const std::string& path, std::string_view words);
 [[nodiscard]] Result<std::vector<Patch>> patchesFromMesh(const std::string& path, std::string_view words);
 

@@ -1,5 +1,6 @@
 #include "core/study/lens/lens.h"
 
+#include "core/math/quantile.h"
 #include "core/render/cpu/cpu_renderer.h"
 #include "core/study/lens/half.h"
 #include "core/study/lens/passive_angles.h"
@@ -92,7 +93,7 @@ std::optional<LensMap> lensMap(LensKind kind, const ViewSamples& samples, const 
 LensFigures figuresOf(const LensMap& map)
 {
     LensFigures figures;
-    std::vector<float> digits;
+    std::vector<double> digits;
     for (const LensPixel& pixel : map.pixels) {
         figures.covered += pixel.mark == LensMark::Background ? 0 : 1;
         figures.notANumber += pixel.mark == LensMark::NotANumber ? 1 : 0;
@@ -104,10 +105,8 @@ LensFigures figuresOf(const LensMap& map)
     }
     if (digits.empty())
         return figures;
-    const auto middle = digits.begin() + static_cast<std::ptrdiff_t>(digits.size() / 2);
-    std::nth_element(digits.begin(), middle, digits.end());
-    figures.median = *middle;
     figures.fewest = *std::min_element(digits.begin(), digits.end());
+    figures.median = medianOf(std::move(digits));
     return figures;
 }
 

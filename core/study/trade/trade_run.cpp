@@ -154,7 +154,7 @@ Result<bool> TradeRun::step(Progress* progress, double share)
     if (stage_ == Stage::Finished || (progress != nullptr && progress->cancel))
         return false;
     if (stage_ == Stage::Truth) {
-        const auto taken = takeTruth(progress, share);
+        auto taken = takeTruth(progress, share);
         if (!taken || !*taken)
             return taken;
         next(Stage::Singles);

@@ -13,7 +13,7 @@ bool isOneOf(const Scene& scene, std::initializer_list<const char*> models)
     return std::any_of(models.begin(), models.end(), [&](const char* id) { return modelOf(scene).id() == id; });
 }
 
-std::string not_(const Scene& scene, const char* what)
+std::string itsWord(const Scene& scene, const char* what)
 {
     return modelOf(scene).text.name + " " + what;
 }
@@ -58,7 +58,7 @@ void matchAlbedo(const Surface& from, Surface& to)
 Applied withoutHighlight(int /*amount*/, Recipe& recipe)
 {
     if (!isOneOf(recipe.scene, {"hybrid"}))
-        return {not_(recipe.scene, "has no specular term beside its diffuse one")};
+        return {itsWord(recipe.scene, "has no specular term beside its diffuse one")};
     Applied applied;
     if (const auto I = mostArriving(recipe.scene)) {
         const std::vector<double> ks = numbers(recipe.scene.surface, "ks");
@@ -71,7 +71,7 @@ Applied withoutHighlight(int /*amount*/, Recipe& recipe)
 Applied qualitativeOrenNayar(int /*amount*/, Recipe& recipe)
 {
     if (!isOneOf(recipe.scene, {"oren_nayar_full"}))
-        return {not_(recipe.scene, "has no long form to give up")};
+        return {itsWord(recipe.scene, "has no long form to give up")};
     const Surface before = recipe.scene.surface;
     recipe.scene.surface.model = "oren_nayar";
     matchAlbedo(before, recipe.scene.surface);
@@ -84,7 +84,7 @@ Applied energyPreserving(int polynomial, Recipe& recipe)
     const char* target = polynomial != 0 ? "eon_polynomial" : "eon";
     const bool fromOrenNayar = isOneOf(recipe.scene, {"oren_nayar", "oren_nayar_full"});
     if (!fromOrenNayar && !(polynomial != 0 && isOneOf(recipe.scene, {"eon"})))
-        return {not_(recipe.scene, "is no Oren-Nayar surface")};
+        return {itsWord(recipe.scene, "is no Oren-Nayar surface")};
     const Surface before = recipe.scene.surface;
     recipe.scene.surface.model = target;
     if (!fromOrenNayar)
@@ -106,7 +106,7 @@ Applied energyPreserving(int polynomial, Recipe& recipe)
 Applied smoothMatte(int /*amount*/, Recipe& recipe)
 {
     if (!isOneOf(recipe.scene, {"oren_nayar", "oren_nayar_full", "oren_nayar_fujii", "eon", "eon_polynomial"}))
-        return {not_(recipe.scene, "is no rough matte surface")};
+        return {itsWord(recipe.scene, "is no rough matte surface")};
     const Vec3d k = straightOn(recipe.scene.surface);
     recipe.scene.surface.model = "lambert_color";
     recipe.scene.surface.values["K"] = {k.x, 0, 0, 0, k.y, 0, 0, 0, k.z};
