@@ -198,17 +198,24 @@ int fitAll(const Options& options)
 {
     if (const auto code = refusedLaunch())
         return *code;
-    if (options.model.isGiven || !options.model.file.empty() || !options.picture.empty() || !options.out.empty() ||
+    if ((options.model.isGiven && options.model.file.empty()) || !options.picture.empty() || !options.out.empty() ||
         !options.fixed.empty())
-        return refused(Error{"--all fits every model; leave --model, --model-file, --fix, --pixels and --out away"});
+        return refused(Error{"--all fits every model; leave --model, --fix, --pixels and --out away"});
     if (options.inputs.empty())
         return refused(Error{"--all needs files or folders of measured surfaces"});
     const auto fitOptions = fitOptionsFrom(options, nullptr);
     if (!fitOptions)
         return refused(fitOptions.error());
+    SurveyRun surveyRun = options.run;
+    if (!options.model.file.empty()) {
+        auto own = chosenModel(options.model);
+        if (!own)
+            return refused(own.error());
+        surveyRun.own = *std::move(own);
+    }
     const auto found = [&] {
         const LongWork work;
-        return survey(options.inputs, *fitOptions, &LongWork::progress(), options.run);
+        return survey(options.inputs, *fitOptions, &LongWork::progress(), surveyRun);
     }();
     if (!found)
         return ended(found.error());
@@ -270,7 +277,7 @@ void addFitFlags(CLI::App& verb, Options& options)
 
 void addSurveyFlags(CLI::App& verb, Options& options)
 {
-    verb.add_flag("--all", options.all, "every model on every surface of the files and folders, without their colour");
+    verb.add_flag("--all", options.all, "every model, and that of --model-file, on every surface of the files and folders, without their colour");
     verb.add_option("--tolerance", options.tolerance, "relative RMS error within which a model serves a surface")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();

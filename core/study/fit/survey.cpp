@@ -103,6 +103,12 @@ bool repeatsAnEarlierModel(const ModelText& model)
     return model.id == "lambert_color";
 }
 
+/// To what has neither lights nor colours.
+bool canBeFitted(const ModelText& model)
+{
+    return !model.usesLightSize && !variablesOf(model, ObservedForm::Grey, {}, {}).empty();
+}
+
 /// One candidate per choice that the model offers.
 void addCandidates(const Model& model, std::vector<FittedModel>& candidates)
 {
@@ -122,10 +128,8 @@ std::vector<FittedModel> candidatesOfCatalogue()
 {
     std::vector<FittedModel> candidates;
     for (const Model& model : catalogue()) {
-        if (model.text.usesLightSize || repeatsAnEarlierModel(model.text) ||
-            variablesOf(model.text, ObservedForm::Grey, {}, {}).empty())
-            continue;
-        addCandidates(model, candidates);
+        if (canBeFitted(model.text) && !repeatsAnEarlierModel(model.text))
+            addCandidates(model, candidates);
     }
     return candidates;
 }
@@ -143,6 +147,10 @@ Result<Survey> survey(const std::vector<std::string>& paths, const FitOptions& o
                       const SurveyRun& run)
 {
     Survey result{options, candidatesOfCatalogue(), {}, {}};
+    if (run.own && !canBeFitted(run.own->text))
+        return Error{"has no parameter that a measured surface could determine", run.own->text.file};
+    if (run.own)
+        addCandidates(*run.own, result.candidates);
     if (!isHelper())
         measureCosts(result.candidates);
     auto subjects = collect(paths, result.skipped);

@@ -3,6 +3,7 @@
 
 #include "core/study/fit/fit.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,7 @@ struct SurveyRun {
     std::string journal =
         {}; ///< a file that keeps every fit as it is done, and from which the next run goes on; empty: none
     unsigned workers = 0; ///< processes in each rank, each with a fit at a time; 0: one per core
+    std::shared_ptr<const Model> own = {}; ///< a model of one's own to fit after those of the catalogue
 };
 
 /// Every model of the catalogue that can be fitted to a surface without colour, once per choice that it offers, without costs.
@@ -43,7 +45,7 @@ struct SurveyRun {
 
 /// Fits every candidate to every surface of the files, and of the folders with all they contain, in the order of their names.
 /// Surfaces are taken without their colour: the mean of the channels. Refused: a path that is not there, a folder without a
-/// measured surface, a named file that is none, a journal of other fits. A fit whose process dies is missing and told among what
+/// measured surface, a named file that is none, an own model without a parameter to fit, a journal of other fits. A fit whose process dies is missing and told among what
 /// was left out. In a rank that is not the first this works for the first.
 [[nodiscard]] Result<Survey> survey(const std::vector<std::string>& paths, const FitOptions& options,
                                     Progress* progress = nullptr, const SurveyRun& run = {});

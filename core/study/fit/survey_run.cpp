@@ -27,7 +27,7 @@ std::string digestOfInputs(const Survey& survey, const std::vector<SurveySubject
     for (const std::string& name : o.grey)
         all += name + "\n";
     for (const FittedModel& candidate : survey.candidates)
-        all += candidate.label + "\n";
+        all += candidate.label + "\n" + candidate.model->text.code;
     for (const SurveySubject& subject : subjects) {
         all += subject.surface.name + "\n" + subject.surface.format + "\n";
         for (const Vec3d& seen : subject.data.seen)
