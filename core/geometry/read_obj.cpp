@@ -140,9 +140,8 @@ Result<PolygonSoup> readObj(TextParts text, ReadContext& context)
         soup.add(item.part, context.warnings);
         return true;
     };
-    const std::uintmax_t parts = text.size() / TextParts::usualSize + 1;
-    inOrder<Item>(static_cast<int>(std::min<std::uintmax_t>(parts, static_cast<std::uintmax_t>(context.threads))), take,
-                  work, give);
+    const auto threads = std::min(text.parts(), static_cast<std::uintmax_t>(context.threads));
+    inOrder<Item>(static_cast<int>(threads), take, work, give);
     if (context.isCancelled())
         return context.stopped();
     if (failure)

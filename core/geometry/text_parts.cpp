@@ -69,12 +69,18 @@ struct TextParts::File {
     }
 };
 
-TextParts::TextParts(std::string_view text, std::size_t partSize) : text_(text), size_(text.size()), partSize_(partSize)
+std::size_t TextParts::usualSize(std::uintmax_t textSize)
+{
+    return static_cast<std::size_t>(std::clamp<std::uintmax_t>(textSize / 8, 1U << 15U, 1U << 19U));
+}
+
+TextParts::TextParts(std::string_view text, std::size_t partSize)
+    : text_(text), size_(text.size()), partSize_(partSize > 0 ? partSize : usualSize(text.size()))
 {
 }
 
 TextParts::TextParts(std::unique_ptr<File> file, std::uintmax_t size, std::size_t partSize)
-    : file_(std::move(file)), size_(size), partSize_(partSize)
+    : file_(std::move(file)), size_(size), partSize_(partSize > 0 ? partSize : usualSize(size))
 {
 }
 

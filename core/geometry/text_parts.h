@@ -18,11 +18,11 @@ public:
         std::size_t capacity = 0;
     };
 
-    /// Of a text at hand: its parts lie in the text itself.
-    explicit TextParts(std::string_view text, std::size_t partSize = usualSize);
+    /// Of a text at hand: its parts lie in the text itself. A part size of 0 is usualSize.
+    explicit TextParts(std::string_view text, std::size_t partSize = 0);
     /// Of the first `fileSize` bytes of a regular file, those of a byte order mark at its start left out.
     [[nodiscard]] static Result<TextParts> ofFile(const std::string& path, std::uintmax_t fileSize,
-                                                  std::size_t partSize = usualSize);
+                                                  std::size_t partSize = 0);
     TextParts(TextParts&&) noexcept;
     TextParts& operator=(TextParts&&) noexcept;
     ~TextParts();
@@ -32,8 +32,10 @@ public:
     [[nodiscard]] Result<std::string_view> next(Buffer& buffer);
 
     [[nodiscard]] std::uintmax_t size() const { return size_; }
+    [[nodiscard]] std::uintmax_t parts() const { return size_ / partSize_ + 1; } ///< about so many
 
-    static constexpr std::size_t usualSize = std::size_t{1} << 19U;
+    /// Half a megabyte; less of a small text, so that all cores have a part of it and little of it lies in memory twice.
+    [[nodiscard]] static std::size_t usualSize(std::uintmax_t textSize);
 
 private:
     struct File;
@@ -43,7 +45,7 @@ private:
     std::string_view text_; ///< what is left of a text at hand
     std::unique_ptr<File> file_;
     std::uintmax_t size_ = 0;
-    std::size_t partSize_ = usualSize;
+    std::size_t partSize_;
 };
 
 } // namespace reflectance
