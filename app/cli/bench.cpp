@@ -43,12 +43,12 @@ class Table {
 public:
     explicit Table(bool shown) : shown_(shown) {}
 
-    void heading(const std::string& title)
+    void heading(const std::string& title) const
     {
         if (shown_)
             std::cout << '\n' << title << '\n';
     }
-    void row(const std::string& name, const std::string& kind, const std::string& value)
+    void row(const std::string& name, const std::string& kind, const std::string& value) const
     {
         if (shown_)
             std::cout << "    " << std::left << std::setw(34) << name << std::setw(15) << kind << value << std::endl;

@@ -156,7 +156,7 @@ Result<void> checkedTargets(const Options& options)
 
 Result<TableFormat> checkedOutputs(const Options& options, const Bench& bench)
 {
-    const auto format = tableFormatOf(options.out);
+    auto format = tableFormatOf(options.out);
     if (!format)
         return format.error();
     Table table;
@@ -197,7 +197,7 @@ Result<LabFailures> measureWatched(Bench& bench, const Options& options)
         written = writeAtomically(checkpointOf(options), checkpointText(run));
         saved = std::chrono::steady_clock::now();
     };
-    const auto measured = measureWithCrew(bench.run, tracer, targets, options.workers, &LongWork::progress(), watch);
+    auto measured = measureWithCrew(bench.run, tracer, targets, options.workers, &LongWork::progress(), watch);
     if (isHelper())
         return measured;
     if (auto last = writeAtomically(checkpointOf(options), checkpointText(bench.run)); !last)

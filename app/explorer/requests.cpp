@@ -133,73 +133,63 @@ void travel(Session& session, const Request& request)
         state.history.go(std::stoul(request.path), state);
 }
 
+void cancelLoading(Session& session)
+{
+    session.loader.cancel();
+    session.toOpen.clear();
+}
+
+void showTour(Session& session, const Request& request)
+{
+    showTourStep(session.state, request.path.empty() ? session.state.preferences.tourStep : std::stoi(request.path));
+    // Once the card stands beside the picture, which is narrower then.
+    session.state.requests.push_back({Request::Kind::Frame, {}});
+}
+
 void serve(Session& session, const Request& request)
 {
     using Kind = Request::Kind;
     switch (request.kind) {
     case Kind::OpenFile:
-        session.toOpen.push_back(request.path);
-        break;
+        return session.toOpen.push_back(request.path);
     case Kind::OpenDialog:
-        session.state.showFileBrowser = true;
-        break;
+        return void(session.state.showFileBrowser = true);
     case Kind::SaveView:
-        saveView(session, request.path);
-        break;
+        return saveView(session, request.path);
     case Kind::SaveWindow:
-        session.windowPicture = request.path;
-        break;
+        return void(session.windowPicture = request.path);
     case Kind::SaveScene:
-        saveScene(session, request.path);
-        break;
+        return saveScene(session, request.path);
     case Kind::Frame:
-        frame(session);
-        break;
+        return frame(session);
     case Kind::ResetView:
-        resetView(session);
-        break;
+        return resetView(session);
     case Kind::ResetScene:
-        resetScene(session);
-        break;
+        return resetScene(session);
     case Kind::SaveText:
-        saveText(session, request.path, request.text);
-        break;
+        return void(saveText(session, request.path, request.text));
     case Kind::SaveRegion:
-        session.region = regionFrom(request.path, request.text);
-        break;
+        return void(session.region = regionFrom(request.path, request.text));
     case Kind::OpenText:
-        openText(session, request);
-        break;
+        return openText(session, request);
     case Kind::FitText:
-        fitText(session, request);
-        break;
+        return fitText(session, request);
     case Kind::CancelLoading:
-        session.loader.cancel();
-        session.toOpen.clear();
-        break;
+        return cancelLoading(session);
     case Kind::LeaveCase:
-        leaveCase(session.state);
-        break;
+        return void(leaveCase(session.state));
     case Kind::TogglePage:
-        togglePage(session.state, std::stoi(request.path));
-        break;
+        return togglePage(session.state, std::stoi(request.path));
     case Kind::Undo:
     case Kind::Redo:
     case Kind::GoToStep:
-        travel(session, request);
-        break;
+        return travel(session, request);
     case Kind::ShowTour:
-        showTourStep(session.state,
-                     request.path.empty() ? session.state.preferences.tourStep : std::stoi(request.path));
-        // Once the card stands beside the picture, which is narrower then.
-        session.state.requests.push_back({Request::Kind::Frame, {}});
-        break;
+        return showTour(session, request);
     case Kind::Quit:
-        session.quit = true;
-        break;
+        return void(session.quit = true);
     case Kind::Dismiss:
-        session.autosave.dismiss(request.path);
-        break;
+        return session.autosave.dismiss(request.path);
     }
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace reflectance {
 
@@ -42,8 +43,8 @@ void readMeasure(ObjectReader object, Measure& measure)
 void readClaim(ObjectReader object, Claim& claim)
 {
     object.read("says", claim.says);
-    object.readObject("measure", [&](ObjectReader part) { readMeasure(part, claim.measure); });
-    object.readObject("against", [&](ObjectReader part) { readMeasure(part, claim.against.emplace()); });
+    object.readObject("measure", [&](ObjectReader part) { readMeasure(std::move(part), claim.measure); });
+    object.readObject("against", [&](ObjectReader part) { readMeasure(std::move(part), claim.against.emplace()); });
     double is = std::numeric_limits<double>::quiet_NaN(), within = 0.0;
     object.read("is", is);
     object.read("within", within, 0.0);
@@ -94,9 +95,9 @@ void readStep(ObjectReader object, TourStep& step)
     object.read("title", step.title);
     object.readTexts("text", step.text);
     object.read("try", step.task);
-    object.readObject("predict", [&](ObjectReader part) { readPrediction(part, step); });
-    object.readObject("scene", [&](ObjectReader part) { readScene(part, step.scene, {}); });
-    object.readObject("table_of", [&](ObjectReader part) { readTableOf(part, step); });
+    object.readObject("predict", [&](ObjectReader part) { readPrediction(std::move(part), step); });
+    object.readObject("scene", [&](ObjectReader part) { readScene(std::move(part), step.scene, {}); });
+    object.readObject("table_of", [&](ObjectReader part) { readTableOf(std::move(part), step); });
     object.readList("claims", step.claims, readClaim);
     object.finish();
 }
@@ -160,7 +161,7 @@ Result<TourStep> tourStep(int number)
 
 Result<double> measured(const Claim& claim, const TourStep& step)
 {
-    const auto value = valueOf(claim.measure, step);
+    auto value = valueOf(claim.measure, step);
     if (!value || !claim.against)
         return value;
     const auto unit = valueOf(*claim.against, step);

@@ -91,7 +91,7 @@ ChartColor shadedColor(ChartColor color, double light)
 {
     ChartColor shaded = 0;
     for (const int shift : {16, 8, 0})
-        shaded |= static_cast<ChartColor>(light * ((color >> shift) & 0xFFU) + 0.5) << shift;
+        shaded |= static_cast<ChartColor>(std::lround(light * ((color >> shift) & 0xFFU))) << shift;
     return shaded;
 }
 

@@ -56,10 +56,11 @@ Plane alongColumns(const Plane& plane, Size size, const Taps& taps)
 {
     Plane result(plane.size(), 0.0F);
     const int radius = static_cast<int>(radiusOf(taps));
+    const float* const middle = taps.data() + radius;
     for (int y = 0; y < size.height; ++y)
         for (int t = -radius; t <= radius; ++t) {
             const int source = std::clamp(y + t, 0, size.height - 1);
-            const float tap = taps[static_cast<std::size_t>(t + radius)];
+            const float tap = middle[t];
             const float* from = &plane[Image::pixelCount(size.width, source)];
             float* to = &result[Image::pixelCount(size.width, y)];
             for (int x = 0; x < size.width; ++x)

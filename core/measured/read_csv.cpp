@@ -100,7 +100,7 @@ private:
         std::vector<double> at; // in the order of the system, radians
         for (const std::size_t column : header_.angleColumn)
             at.push_back(header_.inDegrees ? radians(numbers[column]) : numbers[column]);
-        if (const auto problem = outside(at))
+        if (auto problem = outside(at))
             return problem;
         if (!header_.isScattered)
             if (const auto added = rows_.add(written); !added)

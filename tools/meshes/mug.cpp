@@ -151,8 +151,9 @@ void addHandle(Shape& shape, const std::vector<ProfilePoint>& profile)
         const double share = std::pow(wallness[i], 12.0);
         points[i].normal = normalized((1.0 - share) * points[i].normal + share * normal);
     }
-    addGrid(shape, size,
-            [&](int row, int column) { return points[static_cast<std::size_t>(row * handleSegments + column)]; });
+    addGrid(shape, size, [&](int row, int column) {
+        return points[static_cast<std::size_t>(row) * std::size_t{handleSegments} + static_cast<std::size_t>(column)];
+    });
 }
 
 } // namespace

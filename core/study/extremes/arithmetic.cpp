@@ -137,7 +137,7 @@ Outcome droppedTerm(Bench& bench)
 
 } // namespace
 
-Hazards arithmeticHazards()
+Hazards arithmeticHazards() // NOLINT(readability-function-size): a list
 {
     const std::vector<Precision> onCpu{Precision::Double, Precision::Float, Precision::Simd};
     return {

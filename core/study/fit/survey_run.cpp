@@ -121,7 +121,7 @@ Result<void> fitAll(Survey& survey, std::vector<SurveySubject> subjects, const S
     const auto work = [&](std::string_view job, Progress&) {
         return jobs.done(static_cast<std::uint64_t>(parseInteger(job).value_or(0)));
     };
-    const auto ran = withCrew(handsFor(run.workers), work, [&](Crew& crew) -> Result<void> {
+    auto ran = withCrew(handsFor(run.workers), work, [&](Crew& crew) -> Result<void> {
         auto journal = journalOf(run, digestOfInputs(survey, subjects), jobs);
         return journal ? lead(jobs, *journal, crew, progress) : journal.error();
     });

@@ -113,7 +113,7 @@ Result<void> completed(Study& study)
 {
     const Json base = Json::parse(study.scene);
     for (StudyAxis& axis : study.axes)
-        if (const auto placed = placeAxis(base, axis); !placed)
+        if (auto placed = placeAxis(base, axis); !placed)
             return placed;
     for (const std::string& wrong :
          {contradiction(study.axes), parameterWithoutModel(study, base), tooMany(study.axes)})

@@ -23,6 +23,6 @@ namespace reflectance {
 [[nodiscard]] std::optional<double> largestRadiance(const Scene& scene);
 
 /// max over i of sum over j of |M_ij| I_j: what a matrix makes of light at most.
-[[nodiscard]] double largestOf(const std::array<double, 9>& rowByRow, const Vec3d& I);
+[[nodiscard]] double largestOf(const std::array<double, 9>& M, const Vec3d& I);
 
 } // namespace reflectance
