@@ -73,4 +73,16 @@ void drawFormula(const std::vector<FormulaPiece>& formula, float width)
     ImGui::Dummy({right - start.x, baseline + points(6) - start.y});
 }
 
+std::vector<FormulaPiece> formulaWithin(std::vector<FormulaPiece> formula, float width)
+{
+    if (widthOf(formula.begin(), formula.end()) <= width)
+        return formula;
+    const FormulaPiece more{" \u2026", PieceStyle::Upright, false};
+    const float room = width - sizeIn(faceOf(more.style), more.text).x;
+    while (!formula.empty() && widthOf(formula.begin(), formula.end()) > room)
+        formula.pop_back();
+    formula.push_back(more);
+    return formula;
+}
+
 } // namespace reflectance::explorer

@@ -21,6 +21,10 @@ void modelTooltip(const ModelText& model)
 {
     if (!tooltipIsDue())
         return;
+    // Beside the menu, so that the other models stay in sight, and within the window.
+    const float y = ImGui::GetMousePos().y;
+    ImGui::SetNextWindowPos({ImGui::GetWindowPos().x - points(6), y}, ImGuiCond_Always,
+                            {1.0F, y / ImGui::GetIO().DisplaySize.y});
     beginTooltip();
     ImGui::PushFont(face(Face::Strong));
     ImGui::TextUnformatted(model.name.c_str());
@@ -45,8 +49,11 @@ bool modelLine(const ModelText& model, bool current)
     ImGui::TextUnformatted(model.name.c_str());
     ImGui::PopFont();
     ImGui::SetCursorPos({start.x + points(6), start.y + points(21)});
-    // The menu shows the first part of the formula; where R and the like are defined stands below the menu.
-    drawFormula(typeset(model.formula.substr(0, model.formula.find(",  ")), model.parameters), points(600));
+    // The menu shows the first part of the formula; where R and the like are defined stands below the menu, and all of it
+    // under the mouse.
+    const float width = points(360);
+    drawFormula(formulaWithin(typeset(model.formula.substr(0, model.formula.find(",  ")), model.parameters), width),
+                width);
     ImGui::SetCursorPos(after);
     if (current)
         ImGui::SetItemDefaultFocus();

@@ -205,10 +205,15 @@ void drawProbedSensor(const Probe& probe, const std::optional<ProbedPixel>& pixe
         return row("GL drew", "an edge", "The object covers only a part of this pixel: it is no value of this point.",
                    palette::quiet);
     const GlPixel& gl = *pixel->drawn;
-    row("GL drew", numbersOf(gl.drawn, 7),
-        "The pixel in which the point lies: the mean of its samples, in this driver's float.");
-    row("double", numbersOf(gl.exact, 7),
-        "The same samples in double. Where a pixel has several, this is not yet the point's value.");
+    const auto drew = numbersOf(gl.drawn, 7);
+    const auto exact = numbersOf(gl.exact, 7);
+    row("", std::vector<std::string>{"GL drew", "double"},
+        "The pixel in which the point lies: the mean of its samples, in this driver's float; and the same samples in "
+        "double. Where a pixel has several, this is not yet the point's value.",
+        palette::quiet);
+    for (std::size_t i = 0; i < 3; ++i)
+        row(channels[i], std::vector<std::string>{drew[i], exact[i]},
+            "Digit under digit: where the driver's float leaves double.");
     row("apart", written(gl.difference, 3) + ", bound " + written(gl.bound, 3),
         "The largest difference of a channel in terms of its bound, 64 (kappa + 1) 2^-23 of the value.",
         gl.ratio <= 1.0 ? palette::good : palette::error);
