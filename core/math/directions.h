@@ -1,4 +1,5 @@
-// What model texts ask of two directions, formed without cancellation; GLSL's text stands in shaders/prelude.glsl.
+// What model texts ask of two directions, formed without cancellation; GLSL's text stands in shaders/prelude.glsl. Always part
+// of the loop that shades: a call hands lanes over through memory.
 #pragma once
 
 #include "core/math/exponentials.h"
@@ -26,14 +27,14 @@ template <class T> [[nodiscard]] Vec3<T> operator/(const Vec3<T>& a, const Vec3<
 }
 
 /// exp(y) for y <= 0; 0 below the smallest normal number.
-template <class T> [[nodiscard]] T expOrZero(const T& y)
+template <class T> [[nodiscard, gnu::always_inline]] inline T expOrZero(const T& y)
 {
     return exp2OrZero(y * lit<T>(std::numbers::log2e));
 }
 
 /// The angle between unit vectors, in radians: 2 asin(|A - B| / 2), and pi less that of A and -B beyond a right angle.
 /// acos of the dot product would lose half of the digits near 0 and pi.
-template <class T> [[nodiscard]] T angleBetween(const Vec3<T>& A, const Vec3<T>& B)
+template <class T> [[nodiscard, gnu::always_inline]] inline T angleBetween(const Vec3<T>& A, const Vec3<T>& B)
 {
     const Vec3<T> apart = A - B;
     const Vec3<T> sum = A + B;
@@ -47,7 +48,7 @@ template <class T> [[nodiscard]] T angleBetween(const Vec3<T>& A, const Vec3<T>&
 /// L + V stands square on L - V only if both are equally long, which rounded unit vectors are not: where they point apart
 /// that would tilt a short sum, so its part along L - V is taken out. The sum is scaled before it is squared, since it
 /// may be as short as the smallest number.
-template <class T> [[nodiscard]] Vec3<T> halfway(const Vec3<T>& L, const Vec3<T>& V)
+template <class T> [[nodiscard, gnu::always_inline]] inline Vec3<T> halfway(const Vec3<T>& L, const Vec3<T>& V)
 {
     const T smallest(std::numeric_limits<typename ScalarOf<T>::type>::min());
     const Vec3<T> apart = L - V;
