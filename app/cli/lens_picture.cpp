@@ -33,7 +33,7 @@ Result<Shaded> shadedByGl(const Scene& scene, const RenderSettings& settings, Co
 Result<Shaded> shadedByCpu(const Scene& scene, const RenderSettings& settings, LensKind kind)
 {
     Shaded shaded;
-    shaded.samples = sampleView(*makeRayScene(scene.mesh), scene.camera, settings, &LongWork::progress());
+    shaded.samples = sampleView(*makeRayScene(scene.mesh, settings), scene.camera, settings, &LongWork::progress());
     shaded.image = shadedFor(kind, shaded.samples, scene, &LongWork::progress());
     return shaded;
 }

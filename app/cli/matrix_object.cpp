@@ -9,7 +9,7 @@ Result<std::vector<ObjectPrices>> pricesOnObject(const Scene& scene, const Rende
                                                  const std::vector<JudgedLight>& lights)
 {
     const LongWork work;
-    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, settings);
+    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh, settings), scene.camera, settings);
     std::vector<const JudgedLight*> spectra{nullptr};
     for (const JudgedLight& light : lights)
         if (!light.inSpan)

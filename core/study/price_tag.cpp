@@ -38,7 +38,7 @@ void holdAgainst(const Image& truth, const Image& image, PriceTag& tag)
 
 void measureCpu(const Scene& scene, const RenderSettings& settings, int repetitions, std::vector<PriceTag>& tags)
 {
-    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, settings);
+    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh, settings), scene.camera, settings);
     Image truth;
     for (const Precision precision : {Precision::Double, Precision::Float, Precision::Simd}) {
         Image image;

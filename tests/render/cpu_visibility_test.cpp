@@ -42,6 +42,22 @@ TEST(CpuVisibility, NormalsAreThoseOfTheSphere)
     }
 }
 
+/// Of many triangles and few samples Embree's tree is made in another way.
+TEST(CpuVisibility, ATreeMadeForFewRaysMeetsTheSame)
+{
+    const Scene scene = sphereScene("lambert", 256);
+    ASSERT_GT(16 * scene.mesh->triangles.size(), small.samples());
+    const ViewSamples once = sampleView(*makeRayScene(scene.mesh, small), scene.camera, small);
+    const ViewSamples often = view(scene, small);
+    EXPECT_EQ(once.firstOfPixel, often.firstOfPixel);
+    EXPECT_EQ(once.triangle, often.triangle);
+    EXPECT_EQ(once.Px, often.Px);
+    EXPECT_EQ(once.Nz, often.Nz);
+    Scene other = scene;
+    other.camera.eye.x += 0.01;
+    EXPECT_NE(once.triangle, view(other, small).triangle) << "the planted fault";
+}
+
 TEST(CpuVisibility, SamplesLieOnTheirRays)
 {
     const Scene scene = sphereScene("lambert");

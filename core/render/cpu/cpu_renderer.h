@@ -19,6 +19,9 @@ namespace reflectance {
 /// recomputed in double from the mesh (Embree's float u and v cost 1e-4 in the normal).
 class RayScene;
 [[nodiscard]] std::shared_ptr<const RayScene> makeRayScene(std::shared_ptr<const Mesh> mesh);
+/// For one view of these settings: sooner made where many triangles meet few samples. The samples are the same.
+[[nodiscard]] std::shared_ptr<const RayScene> makeRayScene(std::shared_ptr<const Mesh> mesh,
+                                                           const RenderSettings& once);
 
 [[nodiscard]] ViewSamples sampleView(const RayScene& rays, const Camera& camera, const RenderSettings& settings,
                                      Progress* progress = nullptr);

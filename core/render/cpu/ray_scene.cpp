@@ -16,7 +16,7 @@ double radiusOf(const Mesh& mesh)
     return std::sqrt(squared);
 }
 
-void attachTriangles(RTCDevice device, RTCScene scene, const Mesh& mesh)
+void attachTriangles(RTCDevice device, RTCScene scene, const Mesh& mesh, RTCBuildQuality quality)
 {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -28,6 +28,7 @@ void attachTriangles(RTCDevice device, RTCScene scene, const Mesh& mesh)
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Mesh::Triangle), mesh.triangles.size()));
     for (const Mesh::Triangle& triangle : mesh.triangles)
         indices = std::copy(triangle.begin(), triangle.end(), indices);
+    rtcSetGeometryBuildQuality(geometry, quality);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
@@ -79,7 +80,7 @@ void RayScene::Release::operator()(RTCSceneTy* scene) const
     rtcReleaseScene(scene);
 }
 
-RayScene::RayScene(std::shared_ptr<const Mesh> mesh)
+RayScene::RayScene(std::shared_ptr<const Mesh> mesh, Tree tree)
     : mesh_(std::move(mesh)), radius_(radiusOf(*mesh_)), device_(rtcNewDevice(nullptr)),
       packetSize_(rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0 ? 16 : 8),
       scene_(rtcNewScene(device_.get()))
@@ -87,8 +88,10 @@ RayScene::RayScene(std::shared_ptr<const Mesh> mesh)
     CHECK_EQ(rtcGetDeviceError(device_.get()), RTC_ERROR_NONE);
     // Robust: no ray slips between two triangles that share an edge.
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+    const RTCBuildQuality quality = tree == Tree::ForFew ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
+    rtcSetSceneBuildQuality(scene_.get(), quality);
     if (!mesh_->triangles.empty())
-        attachTriangles(device_.get(), scene_.get(), *mesh_);
+        attachTriangles(device_.get(), scene_.get(), *mesh_, quality);
     rtcCommitScene(scene_.get());
     CHECK_EQ(rtcGetDeviceError(device_.get()), RTC_ERROR_NONE);
 }

@@ -23,11 +23,12 @@ std::vector<WaterfallPicture> picturesToTruth(const Scene& scene, const Scene& t
         shown.surface = surface;
         return shadeSamples(samples, shown, Precision::Double, progress);
     };
-    const ViewSamples own = sampleView(*makeRayScene(scene.mesh), scene.camera, settings, progress);
+    const ViewSamples own = sampleView(*makeRayScene(scene.mesh, settings), scene.camera, settings, progress);
     const bool sameMesh = truth.mesh == scene.mesh;
     const Image ideal =
-        sameMesh ? shaded(own, truth.surface)
-                 : shaded(sampleView(*makeRayScene(truth.mesh), scene.camera, settings, progress), truth.surface);
+        sameMesh
+            ? shaded(own, truth.surface)
+            : shaded(sampleView(*makeRayScene(truth.mesh, settings), scene.camera, settings, progress), truth.surface);
     const Image onOwnMesh = sameMesh ? ideal : shaded(own, truth.surface);
     std::vector<WaterfallPicture> pictures{{"truth", exposedLight(ideal, scene.sensor)},
                                            {"geometry", exposedLight(onOwnMesh, scene.sensor)}};

@@ -44,9 +44,9 @@ void renderFrames(const Scene& scene, const RenderSettings& settings, const Rend
                   Rendered& rendered)
 {
     const Clock::time_point start = Clock::now();
-    const PlacedView view = placedView(
-        std::make_shared<const ViewSamples>(sampleView(*makeRayScene(scene.mesh), scene.camera, settings, progress)),
-        *scene.mesh, plan.place);
+    const PlacedView view = placedView(std::make_shared<const ViewSamples>(sampleView(
+                                           *makeRayScene(scene.mesh, settings), scene.camera, settings, progress)),
+                                       *scene.mesh, plan.place);
     const auto shade = [&](bool specialised) {
         const Clock::time_point shadingStart = Clock::now();
         rendered.image = shadePlaces(view, scene, {plan.precision, plan.lobe, specialised});
@@ -103,8 +103,7 @@ Result<Rendered> renderByGl(const Scene& scene, const RenderSettings& settings, 
         return last.error();
     rendered.image = renderer->readLinear();
     if (plan.specialised && !requirementsOf(scene, {Precision::Glsl, plan.lobe}).positions)
-        rendered.leftOutBytes = bytesOfPositions * Image::pixelCount(settings.width, settings.height) *
-                                static_cast<std::uint64_t>(settings.samplesPerAxis * settings.samplesPerAxis);
+        rendered.leftOutBytes = bytesOfPositions * settings.samples();
     return rendered;
 }
 

@@ -12,7 +12,7 @@ Result<std::vector<FrameCost>> frameCosts(const Scene& scene, const RenderSettin
     std::vector<TimedWork> works;
     ViewSamples samples;
     const double sampling =
-        millisecondsOf([&] { samples = sampleView(*makeRayScene(scene.mesh), scene.camera, settings); });
+        millisecondsOf([&] { samples = sampleView(*makeRayScene(scene.mesh, settings), scene.camera, settings); });
     for (const Precision precision : {Precision::Double, Precision::Float, Precision::Simd}) {
         const std::string lanes = precision == Precision::Simd ? std::string(" (") + lanesName() + ")" : "";
         const double shading = millisecondsOf([&] { static_cast<void>(shadeSamples(samples, scene, precision)); });

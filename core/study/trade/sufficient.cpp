@@ -111,7 +111,7 @@ std::optional<SufficientMap> sufficientModels(const Scene& scene, const RenderSe
     map.width = settings.width;
     map.height = settings.height;
     map.models = ladderOf(scene, settings);
-    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, settings);
+    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh, settings), scene.camera, settings);
     if (stopped())
         return std::nullopt;
     const Image whole = shadeSamples(samples, scene, Precision::Double);

@@ -57,7 +57,7 @@ std::optional<TermBars> termBars(const Scene& scene, const RenderSettings& setti
 {
     const auto stopped = [&] { return progress != nullptr && progress->cancel; };
     const std::vector<Term> terms = termsOf(scene);
-    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh), scene.camera, settings);
+    const ViewSamples samples = sampleView(*makeRayScene(scene.mesh, settings), scene.camera, settings);
     const Judge judge(shadeSamples(samples, scene, Precision::Double), gainOf(scene.sensor));
     TermBars bars;
     for (const Term& term : terms) {
