@@ -15,10 +15,11 @@ using testing::HasSubstr;
 
 constexpr RenderSettings small{24, 16, 1};
 
-TEST(BackendChoice, IsTheCpuWhereItIsSoonerByAFifth)
+TEST(BackendChoice, IsTheCpuUnlessGlIsSoonerByAQuarter)
 {
     EXPECT_EQ(soonerOf({100.0, 79.0}).backend, Backend::Cpu);
-    EXPECT_EQ(soonerOf({100.0, 81.0}).backend, Backend::Auto);
+    EXPECT_EQ(soonerOf({100.0, 130.0}).backend, Backend::Cpu) << "as good as equal";
+    EXPECT_EQ(soonerOf({100.0, 140.0}).backend, Backend::Auto);
     EXPECT_EQ(soonerOf({100.0, 300.0}).backend, Backend::Auto);
     EXPECT_THAT(soonerOf({100.0, 79.0}).why, HasSubstr("GL 100 ms, CPU 79 ms"));
 }

@@ -102,7 +102,8 @@ BackendChoice soonerOf(const BackendTimes& times)
 {
     const std::string why =
         "measured here once: GL " + general(times.gl, 3) + " ms, CPU " + general(times.cpu, 3) + " ms";
-    return {times.cpu < 0.8 * times.gl ? Backend::Cpu : Backend::Auto, why};
+    constexpr double worthIt = 0.75;
+    return {times.gl > worthIt * times.cpu ? Backend::Cpu : Backend::Auto, why};
 }
 
 std::optional<BackendTimes> timesIn(std::string_view file, const std::string& sizeClass)

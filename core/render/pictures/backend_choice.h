@@ -25,8 +25,8 @@ struct BackendTimes {
 /// Pictures that take about as long: triangles and samples in steps of four, one frame or many.
 [[nodiscard]] std::string sizeClass(std::size_t triangles, const RenderSettings& settings, int frames);
 
-/// The CPU, whose default arithmetic is the exact one, where it is sooner done by a fifth or more; else Auto, GL that is, and
-/// the CPU on the day that no context opens.
+/// The CPU, whose default arithmetic is the exact one and which leaves a hundred megabytes of driver closed, unless GL is sooner
+/// done by a quarter or more: then Auto, GL that is, and the CPU on the day that no context opens.
 [[nodiscard]] BackendChoice soonerOf(const BackendTimes& times);
 
 /// A file of such times, a class per line, under a line that names program and machine. Lines that are damaged are ignored, and

@@ -10,12 +10,12 @@
 namespace reflectance {
 
 /// Sixteen arrays: N, L, V, I, lightDisc and sum. Lights stand above the surface. The same rows every time.
+/// The arrays begin at different places of a page: where all begin at one, the processor's first cache has room for eight of
+/// them, and what is timed is that.
 template <class T> class DirectionRows {
 public:
-    explicit DirectionRows(std::size_t count)
+    explicit DirectionRows(std::size_t count) : count_(count), numbers_(16 * stride())
     {
-        for (auto& array : numbers_)
-            array.resize(count);
         std::mt19937 engine(7);
         std::normal_distribution<double> gauss;
         const auto direction = [&] { return normalized({gauss(engine), gauss(engine), gauss(engine)}); };
@@ -32,33 +32,34 @@ public:
         }
     }
 
-    [[nodiscard]] std::size_t count() const { return numbers_[0].size(); }
+    [[nodiscard]] std::size_t count() const { return count_; }
 
     [[nodiscard]] ShadeBatch<T> batch(const MeasuredSurface<T>& measured = {})
     {
-        return {count(),
-                at(0),
-                at(3),
-                at(6),
-                at(9),
-                numbers_[12].data(),
-                {numbers_[13].data(), numbers_[14].data(), numbers_[15].data()},
-                measured};
+        return {count(), at(0), at(3), at(6), at(9), column(12), {column(13), column(14), column(15)}, measured};
     }
 
 private:
-    void set(std::size_t column, std::size_t i, const Vec3d& v)
+    /// Five lines of the cache beyond whole pages.
+    [[nodiscard]] std::size_t stride() const
     {
-        numbers_[column][i] = static_cast<T>(v.x);
-        numbers_[column + 1][i] = static_cast<T>(v.y);
-        numbers_[column + 2][i] = static_cast<T>(v.z);
+        constexpr std::size_t page = 4096 / sizeof(T), lines = 320 / sizeof(T);
+        return (count_ + page - 1) / page * page + lines;
     }
-    [[nodiscard]] Vec3Array<const T> at(std::size_t column) const
+    [[nodiscard]] T* column(std::size_t i) { return numbers_.data() + i * stride(); }
+    void set(std::size_t first, std::size_t i, const Vec3d& v)
     {
-        return {numbers_[column].data(), numbers_[column + 1].data(), numbers_[column + 2].data()};
+        column(first)[i] = static_cast<T>(v.x);
+        column(first + 1)[i] = static_cast<T>(v.y);
+        column(first + 2)[i] = static_cast<T>(v.z);
+    }
+    [[nodiscard]] Vec3Array<const T> at(std::size_t first)
+    {
+        return {column(first), column(first + 1), column(first + 2)};
     }
 
-    std::vector<T> numbers_[16];
+    std::size_t count_;
+    std::vector<T> numbers_;
 };
 
 } // namespace reflectance
