@@ -35,7 +35,7 @@ std::string namedKey(int key)
 /// The key's character on the user's layout, else its name.
 std::string keyName(int key, int scancode)
 {
-    const std::string named = namedKey(key);
+    std::string named = namedKey(key);
     if (!named.empty())
         return named;
     const char* character = glfwGetKeyName(key, scancode);

@@ -10,12 +10,12 @@ std::string pixel(double value)
 {
     char text[40];
     std::snprintf(text, sizeof text, "%.2f", std::isfinite(value) ? value : 0.0);
-    std::string short_ = text;
-    while (short_.back() == '0')
-        short_.pop_back();
-    if (short_.back() == '.')
-        short_.pop_back();
-    return short_ == "-0" ? "0" : short_;
+    std::string shortened = text;
+    while (shortened.back() == '0')
+        shortened.pop_back();
+    if (shortened.back() == '.')
+        shortened.pop_back();
+    return shortened == "-0" ? "0" : shortened;
 }
 
 std::string hex(ChartColor color)

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 namespace reflectance {
 namespace {
@@ -237,7 +238,8 @@ void readVariants(ObjectReader& object, Scene& scene, const ScenePaths& paths)
 {
     object.readList("variants", scene.variants, [&](ObjectReader part, KeptSurface& variant) {
         part.read("name", variant.name);
-        part.readObject("surface", [&](ObjectReader surface) { readSurface(surface, variant.surface, paths); });
+        part.readObject("surface",
+                        [&](ObjectReader surface) { readSurface(std::move(surface), variant.surface, paths); });
         part.finish();
         if (const std::string problem = nameProblem(scene.variants, "variant"); !problem.empty())
             part.fail(problem);
@@ -303,16 +305,18 @@ void readScene(ObjectReader object, Scene& scene, const ScenePaths& paths)
 {
     readVersion(object);
     readMeshKeys(object, scene, paths);
-    object.readObject("camera", [&](ObjectReader part) { readCamera(part, scene.camera); });
+    object.readObject("camera", [&](ObjectReader part) { readCamera(std::move(part), scene.camera); });
     object.readList("lights", scene.lights, readLight);
-    object.readObject("environment", [&](ObjectReader part) { readEnvironment(part, scene.environment, paths); });
-    object.readObject("background", [&](ObjectReader part) { readBackground(part, scene.background); });
-    object.readObject("surface", [&](ObjectReader part) { readSurface(part, scene.surface, paths); });
-    object.readObject("compare", [&](ObjectReader part) { readSurface(part, scene.other.emplace(), paths); });
+    object.readObject("environment",
+                      [&](ObjectReader part) { readEnvironment(std::move(part), scene.environment, paths); });
+    object.readObject("background", [&](ObjectReader part) { readBackground(std::move(part), scene.background); });
+    object.readObject("surface", [&](ObjectReader part) { readSurface(std::move(part), scene.surface, paths); });
+    object.readObject("compare",
+                      [&](ObjectReader part) { readSurface(std::move(part), scene.other.emplace(), paths); });
     readVariants(object, scene, paths);
     readPins(object, scene, paths);
     object.readObject("sensor", [&](ObjectReader part) {
-        readSensor(part, scene.sensor, [&](const std::string& path) { return resolvedPath(paths, path); });
+        readSensor(std::move(part), scene.sensor, [&](const std::string& path) { return resolvedPath(paths, path); });
     });
     object.finish();
 }

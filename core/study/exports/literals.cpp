@@ -24,7 +24,7 @@ std::string remark(std::string_view text)
     return out;
 }
 
-std::string pointed(std::string text)
+std::string pointed(const std::string& text)
 {
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }

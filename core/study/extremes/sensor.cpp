@@ -150,7 +150,7 @@ double darkRamp(double x, double y)
 
 } // namespace
 
-Hazards sensorHazards()
+Hazards sensorHazards() // NOLINT(readability-function-size): a list
 {
     const Show rampSeen = seenRadiance(
         ramp, "Radiance from 0 at the left to 1 at the right, through this driver's curve: even steps to the eye.");

@@ -115,9 +115,10 @@ void drawDerivedMatrix(const ColourPage& page, ImVec2 size)
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeightWithSpacing();
     const auto numbers = rowByRow(K);
-    for (std::size_t i = 0; i < 9; ++i)
-        drawNumber({start.x + cell * static_cast<float>(i % 3), start.y + height * static_cast<float>(i / 3)}, cell,
-                   numbers[i]);
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column)
+            drawNumber({start.x + cell * static_cast<float>(column), start.y + height * static_cast<float>(row)}, cell,
+                       numbers[3 * row + column]);
     ImGui::Dummy({3 * cell, 3 * height + points(4)});
     double off = 0.0;
     double diagonal = 0.0;
@@ -141,8 +142,9 @@ void drawPatches(ColourPage& page, ImVec2 size)
     const float gap = points(3);
     const ImVec2 patch{(size.x - 5 * gap) / 6, (size.y - 3 * gap) / 4};
     for (std::size_t i = 0; i < page.answer->patches.size(); ++i) {
-        const ImVec2 topLeft{start.x + static_cast<float>(i % 6) * (patch.x + gap),
-                             start.y + static_cast<float>(i / 6) * (patch.y + gap)};
+        const std::size_t row = i / 6, column = i % 6;
+        const ImVec2 topLeft{start.x + static_cast<float>(column) * (patch.x + gap),
+                             start.y + static_cast<float>(row) * (patch.y + gap)};
         ImGui::SetCursorScreenPos(topLeft);
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::InvisibleButton("patch", {std::max(patch.x, 1.0F), std::max(patch.y, 1.0F)}))
