@@ -132,7 +132,7 @@ Result<void> checkedOutputs(const Options& options)
 {
     for (const std::string& file : {options.out, options.json, options.plot, options.csv, options.markdown})
         if (!file.empty() && file != "-")
-            if (const auto writable = checkWritable(file); !writable)
+            if (auto writable = checkWritable(file); !writable)
                 return writable;
     return {};
 }
@@ -277,7 +277,9 @@ void addFitFlags(CLI::App& verb, Options& options)
 
 void addSurveyFlags(CLI::App& verb, Options& options)
 {
-    verb.add_flag("--all", options.all, "every model, and that of --model-file, on every surface of the files and folders, without their colour");
+    verb.add_flag(
+        "--all", options.all,
+        "every model, and that of --model-file, on every surface of the files and folders, without their colour");
     verb.add_option("--tolerance", options.tolerance, "relative RMS error within which a model serves a surface")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();

@@ -65,49 +65,49 @@ TEST(BackendChoice, KnowsAFileThatAlwaysTakesTheCpu)
 
 class BackendFile : public testing::Test {
 protected:
-    void SetUp() override { fs::remove_all(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
+    void SetUp() override { fs::remove_all(folder); }
+    void TearDown() override { fs::remove_all(folder); }
 
-    const fs::path folder_ =
+    const fs::path folder =
         fs::path(testing::TempDir()) / // tests run side by side
         (std::string("backend_choice.") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    const Scene scene_ = twoLightScene("hybrid");
-    const std::string class_ = sizeClass(scene_.mesh->triangles.size(), small, 1);
+    const Scene scene = twoLightScene("hybrid");
+    const std::string ownClass = sizeClass(scene.mesh->triangles.size(), small, 1);
 };
 
 TEST_F(BackendFile, DecidesWithoutRendering)
 {
-    fs::create_directories(folder_);
+    fs::create_directories(folder);
     for (const BackendTimes times : {BackendTimes{50.0, 5.0}, BackendTimes{5.0, 50.0}}) {
-        const std::string content = withTimes("", class_, times);
-        ASSERT_TRUE(writeAtomically((folder_ / "file").string(), content));
-        const BackendChoice choice = soonerBackend(scene_, small, {}, folder_ / "file");
+        const std::string content = withTimes("", ownClass, times);
+        ASSERT_TRUE(writeAtomically((folder / "file").string(), content));
+        const BackendChoice choice = soonerBackend(scene, small, {}, folder / "file");
         EXPECT_EQ(choice.backend, times.cpu < times.gl ? Backend::Cpu : Backend::Auto);
-        EXPECT_EQ(*readWholeFile((folder_ / "file").string()), content);
+        EXPECT_EQ(*readWholeFile((folder / "file").string()), content);
     }
 }
 
 /// The tests' contexts are software: both are measured, once.
 TEST_F(BackendFile, IsMadeByMeasuringBothOnce)
 {
-    const fs::path file = folder_ / "below" / "file";
-    const BackendChoice first = soonerBackend(scene_, small, {}, file);
+    const fs::path file = folder / "below" / "file";
+    const BackendChoice first = soonerBackend(scene, small, {}, file);
     EXPECT_THAT(first.why, HasSubstr("measured here once: GL "));
     const std::string content = *readWholeFile(file.string());
-    ASSERT_TRUE(timesIn(content, class_));
-    const BackendChoice second = soonerBackend(scene_, small, {}, file);
+    ASSERT_TRUE(timesIn(content, ownClass));
+    const BackendChoice second = soonerBackend(scene, small, {}, file);
     EXPECT_EQ(second.backend, first.backend);
     EXPECT_EQ(*readWholeFile(file.string()), content);
 }
 
 TEST_F(BackendFile, ThatCannotBeWrittenMeansNoMeasurement)
 {
-    fs::create_directories(folder_);
-    ASSERT_TRUE(writeAtomically((folder_ / "file").string(), "no folder"));
-    const BackendChoice choice = soonerBackend(scene_, small, {}, folder_ / "file" / "below");
+    fs::create_directories(folder);
+    ASSERT_TRUE(writeAtomically((folder / "file").string(), "no folder"));
+    const BackendChoice choice = soonerBackend(scene, small, {}, folder / "file" / "below");
     EXPECT_EQ(choice.backend, Backend::Auto);
     EXPECT_THAT(choice.why, HasSubstr("could not be kept"));
-    EXPECT_EQ(soonerBackend(scene_, small, {}, {}).why, "");
+    EXPECT_EQ(soonerBackend(scene, small, {}, {}).why, "");
 }
 
 } // namespace

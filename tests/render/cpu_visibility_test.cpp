@@ -69,8 +69,9 @@ TEST(CpuVisibility, SamplesLieOnTheirRays)
             if (samples.firstOfPixel[pixel + 1] - first != 4)
                 continue;
             for (std::uint32_t s = 0; s < 4; ++s) {
-                const Vec3d ray = rayThrough(scene.camera, x + (s % 2 + 0.5) / 2.0, y + (s / 2 + 0.5) / 2.0,
-                                             small.width, small.height);
+                const std::uint32_t row = s / 2, column = s % 2;
+                const Vec3d ray = rayThrough(scene.camera, x + (column + 0.5) / 2.0, y + (row + 0.5) / 2.0, small.width,
+                                             small.height);
                 const Vec3d off = cross(position(samples, first + s) - scene.camera.eye, ray);
                 // Where the float ray chose the neighbour, the point is moved by float rounding; elsewhere by 1e-15.
                 ASSERT_LE(length(off), 1e-6);

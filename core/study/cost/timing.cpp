@@ -7,7 +7,7 @@
 #include <utility>
 
 namespace reflectance {
-Timing timingOf(std::vector<double> milliseconds)
+Timing timingOf(const std::vector<double>& milliseconds)
 {
     if (milliseconds.empty())
         return {};
@@ -34,7 +34,7 @@ Timing timed(int repetitions, const TimedWork& work)
     std::vector<double> times;
     for (int i = 0; i < std::max(1, repetitions); ++i)
         times.push_back(work());
-    return timingOf(std::move(times));
+    return timingOf(times);
 }
 
 } // namespace reflectance

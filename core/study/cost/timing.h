@@ -13,7 +13,7 @@ struct Timing {
     int repetitions = 0;
 };
 
-[[nodiscard]] Timing timingOf(std::vector<double> milliseconds);
+[[nodiscard]] Timing timingOf(const std::vector<double>& milliseconds);
 
 /// Milliseconds that the work takes once.
 [[nodiscard]] double millisecondsOf(const std::function<void()>& work);

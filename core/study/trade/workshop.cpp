@@ -14,8 +14,7 @@ namespace {
 std::size_t glBytes(const RenderSettings& settings, bool halfBuffer, bool positions)
 {
     const std::size_t pixels = Image::pixelCount(settings.width, settings.height);
-    const auto perPixel = static_cast<std::size_t>(settings.samplesPerAxis * settings.samplesPerAxis);
-    return pixels * (perPixel * (4 + 4 + 16 + (positions ? 16 : 0)) + (halfBuffer ? 8 : 16) + 4);
+    return settings.samples() * (4 + 4 + 16 + (positions ? 16 : 0)) + pixels * ((halfBuffer ? 8 : 16) + 4);
 }
 
 std::size_t pictureBytes(const RenderSettings& settings)
