@@ -3,7 +3,6 @@
 
 #include "core/math/number_bits.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 

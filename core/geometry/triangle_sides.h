@@ -5,6 +5,7 @@
 #include "core/math/vec.h"
 
 #include <cmath>
+#include <limits>
 
 namespace reflectance {
 
@@ -28,7 +29,7 @@ template <class T> [[nodiscard]] T extentOf(const Vec3<T>& a, const Vec3<T>& b, 
 /// To how much the cross product of a triangle's sides is known: each coordinate is known to half a unit in its last place.
 template <class T> [[nodiscard]] T roundingOf(const T& extent, const T& size)
 {
-    return T(4.0 * 2.220446049250313e-16) * extent * size;
+    return T(4.0 * std::numeric_limits<double>::epsilon()) * extent * size;
 }
 
 /// Written without branches, for loops over many triangles.

@@ -56,7 +56,6 @@ public:
                 gl_->invalidateShading();
                 note(gl_->render(scenes[i], settings[i]));
             };
-            draw();
             append(with, "shading, glsl", sizes[i], timed(repetitions_, [&] { return gl_->millisecondsOf(draw); }));
             progress_.done.fetch_add(0.5 / kinds / static_cast<double>(sizes.size()));
         }
