@@ -18,14 +18,14 @@ bool owed(const Session& session)
 std::shared_ptr<const Rested> drawnByGl(Session& session)
 {
     GlRenderer& renderer = session.renderer;
-    renderer.finish();
-    renderer.invalidateShading();
-    const Clock::time_point start = Clock::now();
     const Scene scene = viewedScene(session.state);
-    if (!renderer.render(scene, session.viewport.settings))
+    Result<void> drawn;
+    const double milliseconds = renderer.millisecondsOf([&] {
+        renderer.invalidateShading();
+        drawn = renderer.render(scene, session.viewport.settings);
+    });
+    if (!drawn)
         return nullptr;
-    renderer.finish();
-    const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     return std::make_shared<Rested>(Rested{scene, {renderer.readSamples(), renderer.readLinear(), milliseconds}});
 }
 

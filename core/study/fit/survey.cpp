@@ -103,7 +103,7 @@ bool repeatsAnEarlierModel(const ModelText& model)
     return model.id == "lambert_color";
 }
 
-/// To what has neither lights nor colours.
+/// To a measurement without colour: it knows no size of lights, and there has to be a number to find.
 bool canBeFitted(const ModelText& model)
 {
     return !model.usesLightSize && !variablesOf(model, ObservedForm::Grey, {}, {}).empty();

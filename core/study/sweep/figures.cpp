@@ -57,13 +57,11 @@ Result<Pair> byGl(const Scene& scene, const Cell& cell)
         return renderer.error();
     if (const auto drawn = renderer->render(scene, cell.settings); !drawn)
         return drawn.error();
-    renderer->finish();
     Pair pair;
     Result<void> again;
-    pair.milliseconds = millisecondsOf([&] {
+    pair.milliseconds = renderer->millisecondsOf([&] {
         renderer->invalidateShading();
         again = renderer->render(scene, cell.settings);
-        renderer->finish();
     });
     if (!again)
         return again.error();
